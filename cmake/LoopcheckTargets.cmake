@@ -1,0 +1,32 @@
+# How every target of this project is compiled.  Interface targets, so that nothing leaks to those who link us.
+
+# Includes are written from the root of the repository: "core/loop/weights.h".
+add_library(loopcheck_build INTERFACE)
+target_compile_features(loopcheck_build INTERFACE cxx_std_20)
+
+# Same input, same bits: no contraction into fused multiply-add, no fast-math.  The numbers are wrong otherwise.
+target_compile_options(loopcheck_build INTERFACE -ffp-contract=off)
+
+option(LOOPCHECK_WERROR "Treat warnings as errors" OFF)
+target_compile_options(loopcheck_build INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wdouble-promotion
+    $<$<BOOL:${LOOPCHECK_WERROR}>:-Werror>)
+
+set(LOOPCHECK_SANITIZE "" CACHE STRING "Sanitizers to build with, for instance address,undefined")
+if(LOOPCHECK_SANITIZE)
+    target_compile_options(loopcheck_build INTERFACE
+        -fsanitize=${LOOPCHECK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(loopcheck_build INTERFACE -fsanitize=${LOOPCHECK_SANITIZE})
+endif()
+
+# loopcheck_library(NAME SOURCE...) makes the static library loopcheck_NAME, alias loopcheck::NAME.
+function(loopcheck_library name)
+    add_library(loopcheck_${name} STATIC ${ARGN})
+    add_library(loopcheck::${name} ALIAS loopcheck_${name})
+    set_target_properties(loopcheck_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF)
+    target_compile_features(loopcheck_${name} PUBLIC cxx_std_20)
+    target_link_libraries(loopcheck_${name} PRIVATE $<BUILD_INTERFACE:loopcheck_build>)
+    target_include_directories(loopcheck_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/loopcheck>)
+endfunction()

@@ -1,0 +1,33 @@
+// A point in space with coordinates of any scalar type.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace loopcheck::core {
+
+/// Three coordinates, and nothing else: what GLM's vectors cannot be for a multiprecision scalar.
+template <class Scalar>
+struct Vec3 {
+    Scalar x{}, y{}, z{};
+};
+
+/// glm::vec3 and glm::dvec3 for float and double, Vec3 for every other scalar.
+template <class Scalar>
+using Point = std::conditional_t<std::is_floating_point_v<Scalar>, glm::vec<3, Scalar>, Vec3<Scalar>>;
+
+template <class Scalar>
+using Points = std::vector<Point<Scalar>>;
+
+/// The positions in another scalar type, each coordinate rounded (or widened) once.
+template <class To, class PointRange>
+Points<To> convert_points(const PointRange& points) {
+    Points<To> out;
+    out.reserve(points.size());
+    for (const auto& p : points)
+        out.push_back({static_cast<To>(p.x), static_cast<To>(p.y), static_cast<To>(p.z)});
+    return out;
+}
+
+}  // namespace loopcheck::core

@@ -1,0 +1,49 @@
+// Loop refinement, level by level.
+#pragma once
+
+#include <vector>
+
+#include "core/loop/rows.h"
+#include "core/loop/rules.h"
+#include "core/loop/split.h"
+#include "core/mesh/refinement.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace loopcheck::core {
+
+/// Everything that decides how a level refines, and nothing of where its vertices are.
+struct SchemeLevel {
+    Topology topology;
+    Sharpness sharpness;
+    std::vector<VertexClass> classes;
+};
+
+/// Level 0.
+SchemeLevel control_level(const TriangleMesh& mesh, BoundaryRule boundary);
+
+/// The way from a level to the next.
+struct Step {
+    Rows rows;
+    std::vector<Ancestor> ancestors;
+    SchemeLevel child;
+};
+
+/// One step of Loop's scheme: split every triangle into four, make the rows, let the sharpness decay.
+/// Errors  TooLarge.
+Result<Step> next_level(const SchemeLevel& level, const SchemeOptions& options);
+
+/// Refines the mesh `levels` times.  The order of vertices and faces is that of `split`.
+///
+/// Real     float or double; float rounds the control positions first.
+/// Errors   TooLarge; NotFinite where a coordinate does not fit into a float.
+/// Error    within the bound of core/loop/error_bound.h.
+/// Laws     1. affine maps commute with refinement, up to rounding; 2. rotating the indices of a face or
+/// renumbering
+///          the vertices changes the order, not the surface; 3. every row sums to 1.
+template <class Real>
+Result<Refinement> refine(const TriangleMesh& mesh, const SchemeOptions& options, int levels);
+
+extern template Result<Refinement> refine<float>(const TriangleMesh&, const SchemeOptions&, int);
+extern template Result<Refinement> refine<double>(const TriangleMesh&, const SchemeOptions&, int);
+
+}  // namespace loopcheck::core
