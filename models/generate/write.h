@@ -1,0 +1,19 @@
+// Models as text: OBJ with tags, and the index of the folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "models/generate/mesh.h"
+#include "models/generate/reject.h"
+
+namespace loopcheck::models {
+
+/// The OBJ file of a model: purpose, vertices, faces, tags. Coordinates are rounded to the decimals of the
+/// mesh and written with the fewest digits, so that the text is the same on every machine.
+std::string obj_text(const Model& model);
+
+/// README.md: what the folder holds, file by file.
+std::string index_text(const std::vector<Model>& models, const std::vector<Reject>& rejects);
+
+}  // namespace loopcheck::models
