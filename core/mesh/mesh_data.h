@@ -47,7 +47,7 @@ struct MeshData {
 /// True where no face size is negative and together they are the number of corners.
 bool sizes_match(const MeshData& data);
 
-/// Calls visit(f, corners) for every face f in order, with a span of its corners.  Requires sizes_match(data).
+/// Calls visit(f, corners) for every face f in order, corners a span.  Requires sizes_match(data).
 template <class Visit>
 void for_each_face(const MeshData& data, Visit visit) {
     std::span<const Index> rest = data.face_corners;
@@ -58,9 +58,12 @@ void for_each_face(const MeshData& data, Visit visit) {
     }
 }
 
-/// Splits every polygon by a fan from its first corner.  Triangles are kept; a hole becomes one hole a
-/// triangle. Faces of fewer than three corners are kept too, for `TriangleMesh::make` to refuse. `split`
-/// counts the polygons that were split.
+/// Splits every polygon by a fan from its first corner.  Triangles are kept; a hole becomes a hole a piece.
+///
+/// What `TriangleMesh::make` refuses stays wrong: faces of fewer than three corners are kept, holes that name
+/// no face still name none, and nothing is changed unless sizes_match(data).
+///
+/// `split` counts the polygons that were split.
 struct Triangulated {
     MeshData data;
     std::size_t split = 0;

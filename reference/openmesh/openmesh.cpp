@@ -15,9 +15,12 @@ namespace {
 
 using core::Index;
 
+// LoopT sums points through the type of the normals: left at its default, float, it makes a double mesh right to 7
+// digits only.
 template <class Real>
 struct Traits : OpenMesh::DefaultTraits {
     using Point = OpenMesh::VectorT<Real, 3>;
+    using Normal = OpenMesh::VectorT<Real, 3>;
 };
 template <class Real>
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits<Real>>;

@@ -9,9 +9,10 @@ namespace loopcheck::core {
 
 /// The double (float) nearest to the decimal number in `text`, ties to even, whatever the locale.
 ///
-/// Accepts an optional sign, digits with an optional point, an optional exponent, and "inf" and "nan" in any
-/// case; nothing before or after.  Overflow gives infinity, underflow the nearest subnormal or zero.
-/// Result   nothing where `text` is not a number.
+/// Accepts an optional sign, digits with an optional point, an optional exponent, and "inf", "infinity",
+/// "nan" and "nan(...)" in any case; nothing before or after.
+/// Result   infinity on overflow, the nearest subnormal or zero on underflow, nothing where `text` is not a
+///          number.
 std::optional<double> parse_double(std::string_view text);
 std::optional<float> parse_float(std::string_view text);
 

@@ -1,0 +1,125 @@
+#include "compare/cli/cli.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <new>
+#include <ostream>
+
+#include "compare/cli/command.h"
+#include "compare/memory.h"
+#include "core/mesh/io/atomic_file.h"
+
+namespace loopcheck::compare {
+
+void RuleFlags::add_to(CLI::App& command) {
+    command
+        .add_option("--boundary", boundary,
+                    "edge-and-corner, edge-only or none; default: what the model says, else edge-and-corner")
+        ->check(CLI::IsMember({"edge-and-corner", "edge-only", "none"}));
+    command
+        .add_option("--creasing", creasing, "uniform or chaikin; default: what the model says, else uniform")
+        ->check(CLI::IsMember({"uniform", "chaikin"}));
+    command.add_option("--weights", weights, "our weights at interior vertices: loop or warren")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"loop", "warren"}));
+}
+
+core::SchemeOptions RuleFlags::for_model(const core::Model& model) const {
+    return options_for_model(model, core::parse_boundary_rule(boundary), core::parse_creasing(creasing),
+                             core::parse_weights(weights).value_or(core::Weights::Loop));
+}
+
+void WorkFlags::add_to(CLI::App& command) {
+    command.add_option("--levels", levels, "levels of refinement")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 30));
+    command.add_option("--memory", memory_gib, "GiB that may be used; default: what is available")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--triangulate", triangulate, "split polygons by a fan from their first corner");
+}
+
+double WorkFlags::memory_limit() const {
+    return memory_gib > 0 ? memory_gib * 1024 * 1024 * 1024 : available_memory();
+}
+
+const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision) {
+    const Subject* subject = find_subject(context.subjects, name);
+    if (subject != nullptr && precision == "float")
+        subject = in_precision(context.subjects, *subject, core::Precision::Float);
+    if (subject == nullptr)
+        context.err << fmt::format("There is no subject {}; 'loopcheck subjects' lists what there is.\n",
+                                   name);
+    return subject;
+}
+
+std::optional<LoadedModel> load_or_complain(const Context& context, const std::string& path,
+                                            bool triangulate) {
+    auto model = load_model(path, triangulate);
+    if (!model) {
+        complain(context, path, model.error());
+        return std::nullopt;
+    }
+    for (const std::string& warning : model->model.warnings)
+        context.err << fmt::format("{}: warning: {}\n", path, warning);
+    return std::move(*model);
+}
+
+void complain(const Context& context, const std::string& path, const core::Error& error) {
+    context.err << fmt::format("{}: {}\n", path, core::to_string(error));
+}
+
+bool write_or_complain(const Context& context, const std::string& path, std::string_view bytes) {
+    const auto written = core::write_file(path, bytes);
+    if (!written) complain(context, path, written.error());
+    return written.has_value();
+}
+
+Progress::Progress(const Context& context)
+    : err_(context.err), on_terminal_(&context.err == &std::cerr && isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    show("");
+}
+
+void Progress::show(const std::string& line) {
+    if (on_terminal_) err_ << "\r\x1b[K" << line << std::flush;
+}
+
+int run(const std::vector<std::string>& arguments, std::span<const Subject> subjects, std::ostream& out,
+        std::ostream& err) {
+    CLI::App program("Checks Loop subdivision against OpenSubdiv and others, vertex by vertex.", "loopcheck");
+    program.set_version_flag("--version", "loopcheck " LOOPCHECK_VERSION);
+    program.require_subcommand(1);
+    program.footer(
+        "Examples\n"
+        "  loopcheck compare models/cow.obj                       ours against OpenSubdiv, 5 levels\n"
+        "  loopcheck compare cow.obj --weights warren --top 3     where Warren's weights differ, and by how "
+        "much\n"
+        "  loopcheck suite models --jobs 2 --junit suite.xml      every model, boundary option and peer\n"
+        "  loopcheck refine cow.obj -o fine.ply --levels 3        the refined mesh\n"
+        "  loopcheck explain cow.obj --vertex 17                  the rule at that vertex, and why\n"
+        "\n"
+        "Exit codes: 0 agree, 1 differ, 2 bad usage or unreadable input, 3 a subject failed or cannot do "
+        "it.");
+    const std::vector<Command> commands{add_compare(program), add_suite(program), add_refine(program),
+                                        add_explain(program), add_subjects(program)};
+    try {
+        program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error, out, err) == 0 ? 0 : kExitUsage;
+    }
+    const Context context{subjects, out, err};
+    const auto all = program.get_subcommands({});
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i]->parsed()) try {
+                return commands[i](context);
+            } catch (const std::bad_alloc&) {
+                err << "Out of memory; fewer levels or a smaller model need less.\n";
+                return kExitFailed;
+            }
+    return kExitUsage;
+}
+
+}  // namespace loopcheck::compare

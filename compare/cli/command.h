@@ -1,0 +1,83 @@
+// What the commands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/loading.h"
+#include "compare/subject.h"
+
+namespace loopcheck::compare {
+
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitFailed = 3;
+
+/// Where a command writes, and whom it can ask.
+struct Context {
+    std::span<const Subject> subjects;
+    std::ostream& out;
+    std::ostream& err;
+};
+
+/// A command: what runs when it was chosen.
+using Command = std::function<int(const Context&)>;
+
+/// Adds a command to the program.
+Command add_compare(CLI::App& program);
+Command add_suite(CLI::App& program);
+Command add_refine(CLI::App& program);
+Command add_explain(CLI::App& program);
+Command add_subjects(CLI::App& program);
+
+/// The rules as typed: nothing typed means what the model file says, else the default.
+struct RuleFlags {
+    std::string boundary, creasing, weights = "loop";
+
+    void add_to(CLI::App& command);
+    core::SchemeOptions for_model(const core::Model& model) const;
+};
+
+/// --levels, --memory and --triangulate.
+struct WorkFlags {
+    int levels = 5;
+    double memory_gib = 0;
+    bool triangulate = false;
+
+    void add_to(CLI::App& command);
+    /// In bytes; what is available where nothing was typed.
+    double memory_limit() const;
+};
+
+/// The subject of that name, or a message and nothing.
+const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision);
+
+/// Loads a model and prints its warnings, or prints why it cannot be loaded.
+std::optional<LoadedModel> load_or_complain(const Context& context, const std::string& path,
+                                            bool triangulate);
+
+/// Prints an error about a file, as "cow.obj: line 3: sentence [code]".
+void complain(const Context& context, const std::string& path, const core::Error& error);
+
+/// Writes a report file, or prints why it cannot be written.
+bool write_or_complain(const Context& context, const std::string& path, std::string_view bytes);
+
+/// A line on the terminal that is overwritten as work goes on; nothing where standard error is no terminal.
+class Progress {
+  public:
+    explicit Progress(const Context& context);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void show(const std::string& line);
+
+  private:
+    std::ostream& err_;
+    bool on_terminal_;
+};
+
+}  // namespace loopcheck::compare

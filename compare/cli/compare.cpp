@@ -1,0 +1,122 @@
+// loopcheck compare: two subjects on some models.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "compare/cli/command.h"
+#include "compare/memory.h"
+#include "compare/referee.h"
+#include "compare/report/report.h"
+
+namespace loopcheck::compare {
+namespace {
+
+struct Flags {
+    std::vector<std::string> models;
+    std::string subject = "ours", reference = "opensubdiv", precision = "double";
+    RuleFlags rules;
+    WorkFlags work;
+    std::string json, csv, ply;
+    int top = 1;
+};
+
+// What the per-vertex reports have gathered so far.
+struct VertexReports {
+    CsvReport csv;
+    std::optional<PlyReport> ply;
+};
+
+std::optional<Comparison> compare_model(const Context& context, const Flags& flags, const std::string& path,
+                                        const LoadedModel& model, const Subject& a, const Subject& b,
+                                        VertexReports& reports) {
+    const double bytes = kWitnessBytesPerVertex * (a.has_weight_option == b.has_weight_option ? 1 : 2) +
+                         std::max(a.bytes_per_vertex, b.bytes_per_vertex) + 2 * kResultBytesPerVertex;
+    if (const auto error = check_memory(model.mesh, flags.work.levels, bytes, flags.work.memory_limit())) {
+        complain(context, path, *error);
+        return std::nullopt;
+    }
+    Progress progress(context);
+    progress.show(fmt::format("{}: refining {} levels", path, flags.work.levels));
+    Referee referee(model.mesh, flags.rules.for_model(model.model), flags.work.levels);
+    const double unit = error_unit(model.mesh.largest_coordinate(), a.precision, b.precision);
+    VertexVisitor visit;
+    if (!flags.csv.empty() || reports.ply)
+        visit = [&](const VertexRecord& record) {
+            if (!flags.csv.empty()) reports.csv.add(path, record, unit);
+            if (reports.ply) reports.ply->add(record);
+        };
+    return referee.judge(a, b, flags.top, visit);
+}
+
+// The faces of the last level, in our order, for the PLY report.
+std::vector<core::Triangle> last_triangles(const core::TriangleMesh& mesh, int levels) {
+    core::Topology topology = mesh.topology();
+    for (int l = 0; l < levels; ++l) topology = core::split(topology).value();
+    return std::move(topology.triangles);
+}
+
+int run_compare(const Context& context, const Flags& flags) {
+    const Subject* a = find_or_complain(context, flags.subject, flags.precision);
+    const Subject* b = find_or_complain(context, flags.reference, flags.precision);
+    if (a == nullptr || b == nullptr) return kExitUsage;
+    if (!flags.ply.empty() && flags.models.size() > 1) {
+        context.err << "--ply takes one model.\n";
+        return kExitUsage;
+    }
+    int code = 0;
+    VertexReports vertices;
+    std::vector<ModelReport> reports;
+    for (const std::string& path : flags.models) {
+        const auto model = load_or_complain(context, path, flags.work.triangulate);
+        if (!flags.ply.empty()) vertices.ply.emplace(flags.work.levels);
+        auto comparison =
+            model ? compare_model(context, flags, path, *model, *a, *b, vertices) : std::nullopt;
+        if (!comparison) {
+            code = worse_exit_code(code, kExitUsage);
+            continue;
+        }
+        code = worse_exit_code(code, exit_code(comparison->verdict));
+        reports.push_back(make_report(path, model->mesh, std::move(*comparison)));
+        context.out << (reports.size() > 1 ? "\n" : "")
+                    << comparison_as_text(reports.back(), context.subjects);
+        const bool compared = !reports.back().comparison.levels.empty();
+        if (vertices.ply && compared &&
+            !write_or_complain(
+                context, flags.ply,
+                vertices.ply->text(last_triangles(model->mesh, flags.work.levels),
+                                   fmt::format("quality: |{} - {}| in model units", a->name, b->name))))
+            code = kExitUsage;
+    }
+    if (!flags.csv.empty() && !write_or_complain(context, flags.csv, vertices.csv.text())) code = kExitUsage;
+    if (!flags.json.empty() &&
+        !write_or_complain(context, flags.json, comparisons_as_json(reports, context.subjects, code)))
+        code = kExitUsage;
+    return code;
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& program) {
+    auto flags = std::make_shared<Flags>();
+    CLI::App* command = program.add_subcommand("compare", "Compare two subjects on models, vertex by vertex");
+    command->add_option("model", flags->models, "OBJ, OFF, PLY or STL files")->required();
+    command->add_option("--with", flags->reference, "the reference: what to compare with")
+        ->capture_default_str();
+    command->add_option("--subject", flags->subject, "what is compared")->capture_default_str();
+    command->add_option("--precision", flags->precision, "double or float, for both")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"double", "float"}));
+    flags->rules.add_to(*command);
+    flags->work.add_to(*command);
+    command->add_option("--json", flags->json, "write the report as JSON");
+    command->add_option("--csv", flags->csv, "write one line a vertex");
+    command->add_option("--ply", flags->ply,
+                        "write the last level with the error as vertex scalar 'quality'");
+    command->add_option("--top", flags->top, "how many of the worst vertices to show")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100000));
+    return [flags](const Context& context) { return run_compare(context, *flags); };
+}
+
+}  // namespace loopcheck::compare

@@ -1,0 +1,63 @@
+// loopcheck explain: why a vertex is where it is.
+#include "compare/explain.h"
+
+#include <memory>
+
+#include "compare/cli/command.h"
+#include "compare/memory.h"
+#include "compare/witness.h"
+
+namespace loopcheck::compare {
+namespace {
+
+struct Flags {
+    std::string model;
+    RuleFlags rules;
+    double memory_gib = 0;
+    bool triangulate = false;
+    int level = 1;
+    core::Index vertex = 0;
+    bool from_one = false;
+};
+
+int run_explain(const Context& context, const Flags& flags) {
+    const auto model = load_or_complain(context, flags.model, flags.triangulate);
+    if (!model) return kExitUsage;
+    if (const auto error = check_memory(model->mesh, flags.level,
+                                        kWitnessBytesPerVertex + kResultBytesPerVertex, available_memory())) {
+        complain(context, flags.model, *error);
+        return kExitUsage;
+    }
+    const CountFrom from = flags.from_one ? CountFrom::One : CountFrom::Zero;
+    const auto text = explain(model->mesh, flags.rules.for_model(model->model), flags.level,
+                              flags.vertex - static_cast<core::Index>(from), context.subjects, from);
+    if (!text) {
+        complain(context, flags.model, text.error());
+        return kExitUsage;
+    }
+    context.out << *text;
+    return 0;
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& program) {
+    auto flags = std::make_shared<Flags>();
+    CLI::App* command =
+        program.add_subcommand("explain", "Show the rule and mask of a vertex, and what subjects compute");
+    command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();
+    command->add_option("--vertex", flags->vertex, "the vertex, counted from 0 (or from 1 with --from-one)")
+        ->required();
+    command
+        ->add_option("--level", flags->level,
+                     "the level it belongs to; level 1 begins with the control vertices' points")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 12));
+    command->add_flag("--from-one", flags->from_one,
+                      "count vertices from 1, like the f lines of an OBJ file");
+    command->add_flag("--triangulate", flags->triangulate, "split polygons by a fan from their first corner");
+    flags->rules.add_to(*command);
+    return [flags](const Context& context) { return run_explain(context, *flags); };
+}
+
+}  // namespace loopcheck::compare

@@ -1,0 +1,73 @@
+// loopcheck suite: every model of a folder.
+#include "compare/suite.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compare/cli/command.h"
+#include "compare/report/report.h"
+
+namespace loopcheck::compare {
+namespace {
+
+struct Flags {
+    std::vector<std::string> paths{"models"};
+    WorkFlags work;
+    std::string json, junit;
+    int jobs = 1;
+};
+
+int run_suite_command(const Context& context, const Flags& flags) {
+    std::vector<std::filesystem::path> models;
+    for (const std::string& path : flags.paths) {
+        if (!std::filesystem::is_directory(path)) {
+            models.emplace_back(path);
+            continue;
+        }
+        auto found = find_models(path);
+        if (!found) {
+            complain(context, path, found.error());
+            return kExitUsage;
+        }
+        models.insert(models.end(), found->begin(), found->end());
+    }
+    if (models.empty()) {
+        context.err << "No models (OBJ, OFF, PLY or STL files) were found.\n";
+        return kExitUsage;
+    }
+    SuiteResult result;
+    {
+        Progress progress(context);
+        result = run_suite(models, context.subjects,
+                           {flags.work.levels, flags.jobs, flags.work.triangulate, flags.work.memory_limit()},
+                           [&](std::size_t done, std::size_t of, const std::string& model) {
+                               progress.show(fmt::format("[{}/{}] {}", done, of, model));
+                           });
+    }
+    context.out << suite_as_text(result, context.subjects);
+    bool written = true;
+    if (!flags.json.empty())
+        written = write_or_complain(context, flags.json, suite_as_json(result, context.subjects)) && written;
+    if (!flags.junit.empty())
+        written = write_or_complain(context, flags.junit, suite_as_junit(result)) && written;
+    return written ? result.exit_code() : kExitUsage;
+}
+
+}  // namespace
+
+Command add_suite(CLI::App& program) {
+    auto flags = std::make_shared<Flags>();
+    CLI::App* command = program.add_subcommand(
+        "suite", "Compare ours with every peer, on every model under every boundary option");
+    command->add_option("path", flags->paths, "folders of models, or model files")->capture_default_str();
+    flags->work.add_to(*command);
+    command->add_option("--jobs", flags->jobs, "models refined at the same time")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--json", flags->json, "write the report as JSON");
+    command->add_option("--junit", flags->junit, "write the report as JUnit XML");
+    return [flags](const Context& context) { return run_suite_command(context, *flags); };
+}
+
+}  // namespace loopcheck::compare

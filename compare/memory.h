@@ -1,0 +1,30 @@
+// How much memory a refinement needs, known before it is asked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/mesh/error.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace loopcheck::compare {
+
+/// Size of a level, by V' = V + E, E' = 2E + 3F, F' = 4F.  In double: it may be beyond every integer type.
+struct LevelSize {
+    double vertices = 0, edges = 0, faces = 0;
+};
+LevelSize level_size(const core::TriangleMesh& mesh, int level);
+
+/// Peak memory of writing a mesh, in bytes per vertex.  A test measures it.
+inline constexpr double kWrittenBytesPerVertex = 400;
+
+/// Memory this process may still take, in bytes: the least of what the machine has available, what its
+/// control group (version 2) leaves, and the limit on its address space.
+double available_memory();
+
+/// OutOfMemory, with the number needed, where `levels` levels at `bytes_per_vertex` do not fit into `limit`
+/// bytes; TooLarge where they cannot be numbered.
+std::optional<core::Error> check_memory(const core::TriangleMesh& mesh, int levels, double bytes_per_vertex,
+                                        double limit);
+
+}  // namespace loopcheck::compare

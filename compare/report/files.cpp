@@ -1,0 +1,117 @@
+// The reports with one line a vertex, and the one for continuous integration.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "compare/report/report.h"
+#include "compare/words.h"
+#include "core/mesh/io/number.h"
+
+namespace loopcheck::compare {
+namespace {
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
+// Escapes for XML; characters that XML 1.0 cannot hold become '?'.
+std::string xml(std::string_view text) {
+    std::string out;
+    for (const char c : text) switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+        }
+    return out;
+}
+
+std::string test_case(const SuiteRow& row) {
+    const Comparison& c = row.comparison;
+    std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{} against {}, {}, {}\"",
+                                  xml(row.model), xml(c.subject), xml(c.reference),
+                                  core::name(c.options.boundary), core::name(c.options.creasing));
+    const std::string notes = xml(fmt::format("{}", fmt::join(c.notes, "\n")));
+    switch (c.verdict) {
+        case Verdict::Differs:
+            return out + fmt::format("><failure message=\"differs\">{}</failure></testcase>\n", notes);
+        case Verdict::Failed:
+            return out + fmt::format("><error message=\"failed\">{}</error></testcase>\n", notes);
+        case Verdict::NotSupported:
+            return out + fmt::format("><skipped message=\"{}\"/></testcase>\n", notes);
+        default:
+            return out + fmt::format("><system-out>{}: {}</system-out></testcase>\n", name(c.verdict), notes);
+    }
+}
+
+}  // namespace
+
+std::string suite_as_junit(const SuiteResult& suite) {
+    std::map<std::string, std::vector<const SuiteRow*>> by_model;
+    for (const SuiteRow& row : suite.rows) by_model[row.model].push_back(&row);
+    std::string out = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites tests=\"{}\" failures=\"{}\" errors=\"{}\" "
+        "skipped=\"{}\">\n",
+        suite.rows.size() + suite.unreadable.size(), suite.count(Verdict::Differs),
+        suite.count(Verdict::Failed) + suite.unreadable.size(), suite.count(Verdict::NotSupported));
+    for (const UnreadableModel& bad : suite.unreadable)
+        out += fmt::format(
+            "  <testsuite name=\"{0}\" tests=\"1\" errors=\"1\">\n    <testcase classname=\"{0}\" "
+            "name=\"read\"><error "
+            "message=\"not readable\">{1}</error></testcase>\n  </testsuite>\n",
+            xml(bad.model), xml(core::to_string(bad.error)));
+    for (const auto& [model, rows] : by_model) {
+        out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\">\n", xml(model), rows.size());
+        for (const SuiteRow* row : rows) out += test_case(*row);
+        out += "  </testsuite>\n";
+    }
+    return out + "</testsuites>\n";
+}
+
+CsvReport::CsvReport()
+    : text_(
+          "model,level,vertex,ancestry,class,rule,a_x,a_y,a_z,b_x,b_y,b_z,error,error_in_uM,bound_use,"
+          "identical\n") {}
+
+void CsvReport::add(std::string_view model, const VertexRecord& r, double unit) {
+    text_ += fmt::format("{},{},{},{},{},{}", csv_field(model), r.level, r.vertex, ancestry_in_words(r),
+                         core::to_string(r.vertex_class), core::name(r.rule));
+    for (const glm::dvec3& p : {r.subject, r.reference})
+        for (int i = 0; i < 3; ++i) text_ += "," + core::shortest(p[i]);
+    text_ += fmt::format(",{},{},{},{}\n", core::shortest(r.error), core::shortest(r.error / unit),
+                         core::shortest(r.bound_use), r.identical ? 1 : 0);
+}
+
+void PlyReport::add(const VertexRecord& r) {
+    if (r.level != level_) return;
+    ++count_;
+    vertices_ += fmt::format("{} {} {} {}\n", core::shortest(r.subject.x), core::shortest(r.subject.y),
+                             core::shortest(r.subject.z), core::shortest(r.error));
+}
+
+std::string PlyReport::text(std::span<const core::Triangle> triangles, std::string_view comment) const {
+    std::string out = fmt::format(
+        "ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\nproperty double x\nproperty double "
+        "y\nproperty double "
+        "z\nproperty double quality\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        comment, count_, triangles.size());
+    out += vertices_;
+    for (const auto& [a, b, c] : triangles) out += fmt::format("3 {} {} {}\n", a, b, c);
+    return out;
+}
+
+}  // namespace loopcheck::compare

@@ -1,0 +1,142 @@
+#include <nlohmann/json.hpp>
+
+#include "compare/report/report.h"
+#include "core/mesh/io/number.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ErrorStats& stats, double unit) {
+    return {{"identical", stats.identical},
+            {"not_finite", stats.not_finite},
+            {"max", stats.max},
+            {"mean", stats.mean()},
+            {"rms", stats.rms()},
+            {"max_in_uM", stats.max / unit}};
+}
+
+Json json_of(const ClassStats& stats, const Comparison& c) {
+    Json out{{"vertices", stats.difference.count},
+             {"difference", json_of(stats.difference, c.unit())},
+             {"subject_error", json_of(stats.subject_error, c.unit())},
+             {"reference_error", json_of(stats.reference_error, c.unit())},
+             {"bound_use", stats.largest_bound_use},
+             {"beyond_bound", stats.beyond_bound},
+             {"rule_mismatches", stats.rule_mismatches},
+             {"predicted", stats.predicted}};
+    if (c.diagonal > 0) out["difference"]["max_over_diagonal"] = stats.difference.max / c.diagonal;
+    return out;
+}
+
+Json json_of(const glm::dvec3& p) {
+    return {{"decimal", {p.x, p.y, p.z}},
+            {"hex", {core::hexfloat(p.x), core::hexfloat(p.y), core::hexfloat(p.z)}}};
+}
+
+Json json_of(const VertexRecord& r) {
+    Json out{{"vertex", r.vertex},
+             {"subject_vertex", r.subject_vertex},
+             {"reference_vertex", r.reference_vertex},
+             {"class", core::to_string(r.vertex_class)},
+             {"rule", core::name(r.rule)},
+             {"error", r.error},
+             {"subject_error", r.subject_error},
+             {"reference_error", r.reference_error},
+             {"bound", r.bound},
+             {"bound_use", r.bound_use},
+             {"subject", json_of(r.subject)},
+             {"reference", json_of(r.reference)},
+             {"exact", json_of(r.exact)}};
+    if (r.level > 0) {
+        const bool vertex = r.ancestor.kind == core::Ancestor::Kind::Vertex;
+        out["ancestor"] = vertex ? Json{{"vertex", r.ancestor.index}}
+                                 : Json{{"face", r.ancestor.index / 3}, {"edge", r.ancestor.index % 3}};
+    }
+    return out;
+}
+
+enum class Detail { Levels, Classes };
+
+Json json_of(const LevelResult& level, const Comparison& c, Detail detail) {
+    Json out{{"level", level.level},
+             {"verdict", name(level.verdict)},
+             {"faces", level.faces},
+             {"all", json_of(total(level), c)}};
+    if (detail == Detail::Levels) return out;
+    out["classes"] = Json::array();
+    for (const auto& [vertex_class, stats] : level.classes) {
+        Json entry{{"class", core::to_string(vertex_class)}};
+        entry.update(json_of(stats, c));
+        out["classes"].push_back(std::move(entry));
+    }
+    out["worst"] = Json::array();
+    for (const VertexRecord& record : level.worst) out["worst"].push_back(json_of(record));
+    return out;
+}
+
+Json json_of(const std::string& model, const Comparison& c, Detail detail) {
+    Json out{{"model", model},
+             {"subject", c.subject},
+             {"reference", c.reference},
+             {"boundary", core::name(c.options.boundary)},
+             {"creasing", core::name(c.options.creasing)},
+             {"weights", core::name(c.options.weights)},
+             {"verdict", name(c.verdict)},
+             {"notes", c.notes}};
+    if (!c.deviation.empty()) out["deviation"] = c.deviation;
+    out["largest_coordinate"] = c.largest_coordinate;
+    out["diagonal"] = c.diagonal;
+    out["uM"] = c.unit();
+    out["levels"] = Json::array();
+    for (const LevelResult& level : c.levels) out["levels"].push_back(json_of(level, c, detail));
+    return out;
+}
+
+Json document(std::string_view command, std::span<const Subject> subjects, int exit_code) {
+    Json out{{"schema", 1}, {"loopcheck", LOOPCHECK_VERSION}, {"command", command}, {"exit_code", exit_code}};
+    out["subjects"] = Json::array();
+    for (const Subject& subject : subjects)
+        out["subjects"].push_back({{"name", subject.name},
+                                   {"version", subject.version},
+                                   {"precision", core::name(subject.precision)}});
+    return out;
+}
+
+// Not-a-number and infinity become null; bytes that are not UTF-8, in a file name for instance, are replaced.
+std::string dump(const Json& json) {
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<const Subject> subjects,
+                                int exit_code) {
+    Json out = document("compare", subjects, exit_code);
+    out["comparisons"] = Json::array();
+    for (const ModelReport& report : reports) {
+        Json entry = json_of(report.model, report.comparison, Detail::Classes);
+        entry["control_mesh"] = {{"vertices", report.vertices},
+                                 {"faces", report.faces},
+                                 {"boundary_edges", report.boundary_edges}};
+        out["comparisons"].push_back(std::move(entry));
+    }
+    return dump(out);
+}
+
+std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> subjects) {
+    Json out = document("suite", subjects, suite.exit_code());
+    out["summary"] = suite_summary(suite);
+    out["unreadable"] = Json::array();
+    for (const UnreadableModel& bad : suite.unreadable)
+        out["unreadable"].push_back({{"model", bad.model},
+                                     {"code", core::code_name(bad.error.code)},
+                                     {"error", core::to_string(bad.error)}});
+    out["comparisons"] = Json::array();
+    for (const SuiteRow& row : suite.rows)
+        out["comparisons"].push_back(json_of(row.model, row.comparison, Detail::Levels));
+    return dump(out);
+}
+
+}  // namespace loopcheck::compare

@@ -1,0 +1,66 @@
+// The reports: the same results as text, JSON, CSV, PLY and JUnit XML.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/comparison.h"
+#include "compare/suite.h"
+
+namespace loopcheck::compare {
+
+/// A comparison with the mesh it was made on.
+struct ModelReport {
+    std::string model;  ///< as named on the command line
+    std::size_t vertices = 0, faces = 0, boundary_edges = 0;
+    Comparison comparison;
+};
+
+/// Name, counts and comparison in one.
+ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison);
+
+/// For a reader at a terminal: the rules, a line a level, the classes of the level that matters most, the
+/// worst vertices of it, and the verdict in words.
+std::string comparison_as_text(const ModelReport& report, std::span<const Subject> subjects);
+
+/// The failures with their reasons, then the known deviations, then a line a model with a column a peer, then
+/// one line of summary.
+std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> subjects);
+/// The last line of it.
+std::string suite_summary(const SuiteResult& suite);
+
+/// The document of docs/report.schema.json.
+std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<const Subject> subjects,
+                                int exit_code);
+std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> subjects);
+
+/// JUnit XML: a test suite a model, a test case a comparison; what a subject does not support is skipped.
+std::string suite_as_junit(const SuiteResult& suite);
+
+/// One line a vertex: model, level, vertex, ancestry, class, rule, both positions, error.
+class CsvReport {
+  public:
+    CsvReport();
+    void add(std::string_view model, const VertexRecord& record, double unit);
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+/// The mesh of one level at the subject's positions, with the error as vertex property `quality` (model
+/// units), which MeshLab, ParaView and Blender show as a scalar.  Records of other levels are ignored.
+class PlyReport {
+  public:
+    explicit PlyReport(int level) : level_(level) {}
+    void add(const VertexRecord& record);
+    std::string text(std::span<const core::Triangle> triangles, std::string_view comment) const;
+
+  private:
+    int level_;
+    std::size_t count_ = 0;
+    std::string vertices_;
+};
+
+}  // namespace loopcheck::compare

@@ -1,0 +1,120 @@
+#include "compare/suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "compare/memory.h"
+#include "compare/referee.h"
+
+namespace loopcheck::compare {
+namespace {
+
+constexpr std::array kBoundaryRules{core::BoundaryRule::EdgeAndCorner, core::BoundaryRule::EdgeOnly,
+                                    core::BoundaryRule::None};
+
+struct Case {
+    std::string name;
+    const LoadedModel* model;
+    core::SchemeOptions options;
+};
+
+std::vector<Comparison> run_case(const Case& one, std::span<const Subject> subjects,
+                                 const SuiteOptions& options) {
+    Referee referee(one.model->mesh, one.options, options.levels);
+    std::vector<Comparison> out;
+    for (const Subject& peer : subjects) {
+        const Subject* ours = in_precision(subjects, subjects.front(), peer.precision);
+        if (ours == nullptr || peer.family == ours->family) continue;
+        out.push_back(referee.judge(*ours, peer));
+    }
+    return out;
+}
+
+double bytes_per_vertex(std::span<const Subject> subjects) {
+    double largest = 0;
+    for (const Subject& subject : subjects) largest = std::max(largest, subject.bytes_per_vertex);
+    return kWitnessBytesPerVertex + largest + static_cast<double>(subjects.size()) * kResultBytesPerVertex;
+}
+
+}  // namespace
+
+std::size_t SuiteResult::count(Verdict verdict) const {
+    return static_cast<std::size_t>(std::count_if(
+        rows.begin(), rows.end(), [&](const SuiteRow& row) { return row.comparison.verdict == verdict; }));
+}
+
+int SuiteResult::exit_code() const {
+    int code = unreadable.empty() ? 0 : 2;
+    for (const SuiteRow& row : rows)
+        if (row.comparison.verdict != Verdict::NotSupported)
+            code = worse_exit_code(code, compare::exit_code(row.comparison.verdict));
+    return code;
+}
+
+core::Result<std::vector<std::filesystem::path>> find_models(const std::filesystem::path& folder) {
+    std::error_code code;
+    std::vector<std::filesystem::path> out;
+    for (std::filesystem::directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
+        if (it->is_regular_file() && core::format_of(it->path())) out.push_back(it->path());
+    if (code)
+        return core::fail(core::ErrorCode::CannotRead,
+                          fmt::format("The folder {} cannot be read: {}.", folder.string(), code.message()));
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<const Subject> subjects,
+                      const SuiteOptions& options, const SuiteProgress& progress) {
+    SuiteResult result;
+    result.models = models.size();
+    result.levels = options.levels;
+
+    std::vector<std::unique_ptr<LoadedModel>> loaded;
+    std::vector<Case> cases;
+    for (const auto& path : models) {
+        auto model = load_model(path, options.triangulate);
+        std::optional<core::Error> error;
+        if (!model)
+            error = model.error();
+        else
+            error = check_memory(model->mesh, options.levels, bytes_per_vertex(subjects),
+                                 options.memory_limit / options.jobs);
+        if (error) {
+            result.unreadable.push_back({path.filename().string(), *error});
+            continue;
+        }
+        loaded.push_back(std::make_unique<LoadedModel>(std::move(*model)));
+        for (const auto boundary : kBoundaryRules)
+            cases.push_back(
+                {path.filename().string(), loaded.back().get(),
+                 options_for_model(loaded.back()->model, boundary, std::nullopt, core::Weights::Loop)});
+    }
+
+    std::vector<std::vector<Comparison>> outcomes(cases.size());
+    std::atomic<std::size_t> next = 0;
+    std::size_t done = 0;
+    std::mutex progress_mutex;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < cases.size(); i = next++) {
+            outcomes[i] = run_case(cases[i], subjects, options);
+            const std::lock_guard lock(progress_mutex);
+            progress(++done, cases.size(), cases[i].name);
+        }
+    };
+    std::vector<std::future<void>> workers;
+    for (int j = 0; j < options.jobs; ++j) workers.push_back(std::async(std::launch::async, work));
+    for (auto& worker : workers) worker.get();
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        for (Comparison& comparison : outcomes[i])
+            result.rows.push_back({cases[i].name, std::move(comparison)});
+    return result;
+}
+
+}  // namespace loopcheck::compare

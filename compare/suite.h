@@ -1,0 +1,59 @@
+// Every model under every boundary option, by every pair of subjects.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/comparison.h"
+#include "compare/loading.h"
+
+namespace loopcheck::compare {
+
+/// One comparison of a suite.
+struct SuiteRow {
+    std::string model;  ///< file name
+    Comparison comparison;
+};
+
+/// A model that could not be read.
+struct UnreadableModel {
+    std::string model;
+    core::Error error;
+};
+
+struct SuiteResult {
+    std::vector<SuiteRow> rows;  ///< by model name, boundary option and subject, whatever the number of jobs
+    std::vector<UnreadableModel> unreadable;
+    std::size_t models = 0;
+    int levels = 0;
+
+    std::size_t count(Verdict verdict) const;
+    /// 2 where a model is unreadable, else 3 where a subject failed, else 1 where subjects differ, else 0.  A
+    /// subject that says it cannot do a model is no failure here.
+    int exit_code() const;
+};
+
+/// The model files (by extension) in a folder, sorted by name; subfolders are not searched.
+/// Errors: CannotRead.
+core::Result<std::vector<std::filesystem::path>> find_models(const std::filesystem::path& folder);
+
+struct SuiteOptions {
+    int levels = 5;
+    int jobs = 1;
+    bool triangulate = false;
+    double memory_limit = 0;  ///< bytes, for all jobs together
+};
+
+/// Called after each case (a model under one boundary option) with the number done, of how many, and its
+/// name.
+using SuiteProgress = std::function<void(std::size_t done, std::size_t of, const std::string& model)>;
+
+/// Compares ours with every peer of the same precision on every model, under every boundary option and the
+/// creasing that the model declares.
+SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<const Subject> subjects,
+                      const SuiteOptions& options, const SuiteProgress& progress);
+
+}  // namespace loopcheck::compare

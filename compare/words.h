@@ -1,0 +1,28 @@
+// A comparison in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/comparison.h"
+#include "compare/deviations.h"
+
+namespace loopcheck::compare {
+
+/// The verdict as sentences: what was found, where, by how much, whether it was to be expected from the rules
+/// of the two sides, and which of the two is right.
+std::vector<std::string> verdict_in_words(const Comparison& comparison,
+                                          const core::SchemeOptions& subject_rules,
+                                          const core::SchemeOptions& reference_rules);
+
+/// The sentence for a known deviation that shows as predicted.  `predicted` was compared with the rules as
+/// done.
+std::string deviation_in_words(const KnownDeviation& deviation, const Comparison& predicted);
+
+/// "vertex 17, the edge point of vertices 3 and 8": a vertex and where it comes from.
+std::string ancestry_in_words(const VertexRecord& record);
+
+/// An error in u M, or in model units where M is not known: "0.42 u M".
+std::string in_units(double error, double unit);
+
+}  // namespace loopcheck::compare
