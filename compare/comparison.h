@@ -76,8 +76,8 @@ struct VertexRecord {
     core::VertexClass vertex_class;
     core::VertexRule rule = core::VertexRule::Smooth;
     glm::dvec3 subject{0}, reference{0}, exact{0};
-    bool identical = false;      ///< subject and reference have the same bits
-    double error = 0;            ///< largest coordinate of |subject - reference|; infinite where one is not finite
+    bool identical = false;  ///< subject and reference have the same bits
+    double error = 0;  ///< largest coordinate of |subject - reference|; infinite where one is not finite
     double subject_error = 0;    ///< of the subject against the exact rules
     double reference_error = 0;  ///< of the reference against the exact rules
     double bound = 0;            ///< E_a + E_b in the coordinate that uses most of it

@@ -16,7 +16,7 @@ struct LevelSize {
 LevelSize level_size(const core::TriangleMesh& mesh, int level);
 
 /// Peak memory of writing a mesh, in bytes per vertex.  A test measures it.
-inline constexpr double kWrittenBytesPerVertex = 400;
+inline constexpr double kWrittenBytesPerVertex = 150;
 
 /// Memory this process may still take, in bytes: the least of what the machine has available, what its
 /// control group (version 2) leaves, and the limit on its address space.

@@ -23,6 +23,18 @@ bool all_explained(const Comparison& comparison) {
 
 }  // namespace
 
+double referee_bytes_per_vertex(std::span<const Subject* const> subjects,
+                                const core::SchemeOptions& options) {
+    double refining = 0;
+    bool two_rules = options.creasing == core::Creasing::Chaikin;  // of which a deviation is known
+    for (const Subject* subject : subjects) {
+        refining = std::max(refining, subject->bytes_per_vertex);
+        two_rules = two_rules || options_for(*subject, options) != options;
+    }
+    return (two_rules ? 2 : 1) * kWitnessBytesPerVertex + refining +
+           static_cast<double>(subjects.size()) * kResultBytesPerVertex;
+}
+
 const core::Result<Witness>& Referee::witness(const core::SchemeOptions& options) {
     for (const auto& known : witnesses_)
         if (known->first == options) return known->second;

@@ -4,12 +4,17 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "compare/comparison.h"
 #include "compare/deviations.h"
 
 namespace loopcheck::compare {
+
+/// Peak memory of comparing `subjects` pair by pair under one choice of rules, in bytes per vertex of the
+/// last level.
+double referee_bytes_per_vertex(std::span<const Subject* const> subjects, const core::SchemeOptions& options);
 
 /// Judges subjects on one mesh under one choice of rules.  What a subject made and what is exact is kept, so
 /// that several comparisons of the same case share the work.

@@ -42,20 +42,20 @@ std::vector<Subject> built_in_subjects() {
          .supports =
              "everything: all boundary options, creases, semi-sharp, Chaikin, Loop's and Warren's weights",
          .has_weight_option = true,
-         .bytes_per_vertex = 400},
+         .bytes_per_vertex = 300},
         refine_ours);
     add_family(table,
                {.name = "opensubdiv",
                 .version = reference::opensubdiv_version(),
                 .supports = "all boundary options, creases, semi-sharp, Chaikin; 15 levels, valence 65 535",
-                .bytes_per_vertex = 600},
+                .bytes_per_vertex = 500},
                reference::opensubdiv_refine);
 #ifdef LOOPCHECK_HAS_OPENMESH
     add_family(table,
                {.name = "openmesh",
                 .version = reference::openmesh_version(),
                 .supports = "no creases, no isolated vertices, boundary edge-only, valence 49",
-                .bytes_per_vertex = 300},
+                .bytes_per_vertex = 330},
                reference::openmesh_refine);
 #endif
     return table;

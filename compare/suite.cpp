@@ -37,10 +37,10 @@ std::vector<Comparison> run_case(const Case& one, std::span<const Subject> subje
     return out;
 }
 
-double bytes_per_vertex(std::span<const Subject> subjects) {
-    double largest = 0;
-    for (const Subject& subject : subjects) largest = std::max(largest, subject.bytes_per_vertex);
-    return kWitnessBytesPerVertex + largest + static_cast<double>(subjects.size()) * kResultBytesPerVertex;
+double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& options) {
+    std::vector<const Subject*> all;
+    for (const Subject& subject : subjects) all.push_back(&subject);
+    return referee_bytes_per_vertex(all, options);
 }
 
 }  // namespace
@@ -84,8 +84,10 @@ SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<c
         if (!model)
             error = model.error();
         else
-            error = check_memory(model->mesh, options.levels, bytes_per_vertex(subjects),
-                                 options.memory_limit / options.jobs);
+            error = check_memory(
+                model->mesh, options.levels,
+                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop)),
+                options.memory_limit / options.jobs);
         if (error) {
             result.unreadable.push_back({path.filename().string(), *error});
             continue;

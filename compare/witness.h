@@ -42,7 +42,7 @@ glm::dvec3 distance_from_exact(const WitnessLevel& level, core::Index v, const g
 
 /// Peak memory of a witness, and of each result that is kept with its match, in bytes per vertex of the last
 /// level. A test measures them.
-inline constexpr double kWitnessBytesPerVertex = 900;
-inline constexpr double kResultBytesPerVertex = 100;
+inline constexpr double kWitnessBytesPerVertex = 600;
+inline constexpr double kResultBytesPerVertex = 80;
 
 }  // namespace loopcheck::compare

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "compare/cli/command.h"
@@ -30,15 +31,16 @@ struct VertexReports {
 std::optional<Comparison> compare_model(const Context& context, const Flags& flags, const std::string& path,
                                         const LoadedModel& model, const Subject& a, const Subject& b,
                                         VertexReports& reports) {
-    const double bytes = kWitnessBytesPerVertex * (a.has_weight_option == b.has_weight_option ? 1 : 2) +
-                         std::max(a.bytes_per_vertex, b.bytes_per_vertex) + 2 * kResultBytesPerVertex;
+    const core::SchemeOptions options = flags.rules.for_model(model.model);
+    const std::array both{&a, &b};
+    const double bytes = referee_bytes_per_vertex(both, options);
     if (const auto error = check_memory(model.mesh, flags.work.levels, bytes, flags.work.memory_limit())) {
         complain(context, path, *error);
         return std::nullopt;
     }
     Progress progress(context);
     progress.show(fmt::format("{}: refining {} levels", path, flags.work.levels));
-    Referee referee(model.mesh, flags.rules.for_model(model.model), flags.work.levels);
+    Referee referee(model.mesh, options, flags.work.levels);
     const double unit = error_unit(model.mesh.largest_coordinate(), a.precision, b.precision);
     VertexVisitor visit;
     if (!flags.csv.empty() || reports.ply)

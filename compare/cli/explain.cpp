@@ -1,6 +1,7 @@
 // loopcheck explain: why a vertex is where it is.
 #include "compare/explain.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "compare/cli/command.h"
@@ -13,7 +14,6 @@ namespace {
 struct Flags {
     std::string model;
     RuleFlags rules;
-    double memory_gib = 0;
     bool triangulate = false;
     int level = 1;
     core::Index vertex = 0;

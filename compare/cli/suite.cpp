@@ -21,6 +21,10 @@ struct Flags {
 int run_suite_command(const Context& context, const Flags& flags) {
     std::vector<std::filesystem::path> models;
     for (const std::string& path : flags.paths) {
+        if (!std::filesystem::exists(path)) {
+            complain(context, path, {core::ErrorCode::CannotRead, "There is no such file or folder."});
+            return kExitUsage;
+        }
         if (!std::filesystem::is_directory(path)) {
             models.emplace_back(path);
             continue;

@@ -128,9 +128,11 @@ std::string details(const SuiteResult& suite, Verdict verdict, const std::string
     for (const SuiteRow& row : suite.rows) {
         const Comparison& c = row.comparison;
         if (c.verdict != verdict) continue;
-        const bool same = previous != nullptr && previous->model == row.model && previous->comparison.notes == c.notes;
+        const bool same =
+            previous != nullptr && previous->model == row.model && previous->comparison.notes == c.notes;
         if (previous != nullptr && !same) out += notes_of(*previous);
-        out += fmt::format("  {} ({}): {} against {}\n", row.model, rules_in_words(c.options), c.subject, c.reference);
+        out += fmt::format("  {} ({}): {} against {}\n", row.model, rules_in_words(c.options), c.subject,
+                           c.reference);
         previous = &row;
     }
     return previous == nullptr ? out : fmt::format("{}\n{}{}\n", heading, out, notes_of(*previous));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "core/mesh/io/atomic_file.h"
 #include "core/mesh/io/formats.h"

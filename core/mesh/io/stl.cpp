@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>

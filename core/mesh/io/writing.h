@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>

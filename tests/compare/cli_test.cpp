@@ -1,0 +1,212 @@
+// The command line: what is printed where, which files are written, and the exit code.
+#include "compare/cli/cli.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/mesh/io/atomic_file.h"
+#include "core/mesh/io/model.h"
+#include "tests/compare/support.h"
+#include "tests/support/temporary_folder.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using test::model_path;
+
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+
+Outcome loopcheck(const std::vector<std::string>& arguments,
+                  std::vector<Subject> subjects = built_in_subjects()) {
+    std::ostringstream out, err;
+    const int code = run(arguments, subjects, out, err);
+    return {code, out.str(), err.str()};
+}
+
+#define EXPECT_SAYS(text, what) EXPECT_NE((text).find(what), std::string::npos) << (text)
+
+TEST(CommandLine, ExitsWithZeroWhereSubjectsAgree) {
+    const auto r = loopcheck({"compare", model_path("cow"), "--levels", "2"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_SAYS(r.out, "verdict: identical");
+    EXPECT_EQ(r.err, "") << "no progress where standard error is no terminal";
+}
+
+TEST(CommandLine, ExitsWithOneWhereTheyDiffer) {
+    const auto r = loopcheck({"compare", model_path("cow"), "--levels", "1", "--weights", "warren"});
+    EXPECT_EQ(r.code, 1);
+    EXPECT_SAYS(r.out, "verdict: differs");
+}
+
+TEST(CommandLine, ExitsWithTwoOnBadUsage) {
+    const std::vector<std::vector<std::string>> bad{
+        {},
+        {"compare"},
+        {"frobnicate"},
+        {"compare", model_path("cow"), "--levels", "-1"},
+        {"compare", model_path("cow"), "--levels", "many"},
+        {"compare", model_path("cow"), "--boundary", "sharp"},
+        {"compare", model_path("cow"), "--with", "nobody"},
+        {"compare", model_path("cow"), model_path("torus"), "--ply", "x.ply"},
+        {"suite", "/no/such/folder"},
+        {"explain", model_path("cow")},
+        {"explain", model_path("cow"), "--vertex", "5000"},
+        {"refine", model_path("cow"), "-o", "/no/such/folder/x.obj"},
+        {"refine", model_path("cow"), "-o", "x.docx"}};
+    for (const auto& arguments : bad) {
+        const auto r = loopcheck(arguments);
+        EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments);
+        EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
+    }
+}
+
+TEST(CommandLine, ExitsWithTwoAndThePlaceOnUnreadableInput) {
+    const std::string path = std::string(LOOPCHECK_MODELS_DIR) + "/reject/repeated-vertex.obj";
+    const auto r = loopcheck({"compare", path});
+    EXPECT_EQ(r.code, 2);
+    EXPECT_SAYS(r.err, path + ": line ");
+    EXPECT_SAYS(r.err, "appears twice. [repeated-vertex]");
+    EXPECT_EQ(loopcheck({"compare", "/no/such/file.obj"}).code, 2);
+}
+
+TEST(CommandLine, ExitsWithThreeWhereASubjectFailsOrCannotDoIt) {
+    EXPECT_EQ(loopcheck({"compare", model_path("cow"), "--levels", "1", "--with", "broken"},
+                        {test::subject("ours"), test::cheat("broken", [](auto& r) { r.levels.pop_back(); })})
+                  .code,
+              3);
+    EXPECT_EQ(loopcheck({"refine", model_path("cow"), "-o", "x.obj", "--scheme", "opensubdiv", "--weights",
+                         "warren"})
+                  .code,
+              3);
+}
+
+TEST(CommandLine, GivesTheWorstExitCodeOfSeveralModels) {
+    const std::string bad = std::string(LOOPCHECK_MODELS_DIR) + "/reject/repeated-vertex.obj";
+    EXPECT_EQ(loopcheck({"compare", model_path("cow"), bad, model_path("torus"), "--levels", "1"}).code, 2);
+    EXPECT_EQ(loopcheck({"compare", model_path("icosahedron"), model_path("tetrahedron"), "--levels", "1",
+                         "--weights", "warren"})
+                  .code,
+              1);
+}
+
+TEST(CommandLine, RefusesALevelThatCannotFit) {
+    const auto r = loopcheck({"compare", model_path("cow"), "--levels", "9", "--memory", "1"});
+    EXPECT_EQ(r.code, 2);
+    EXPECT_SAYS(r.err, "1 GiB may be used (--memory sets the limit). [out-of-memory]");
+}
+
+TEST(CommandLine, TakesTagsOfTheFileUnlessToldOtherwise) {
+    EXPECT_SAYS(loopcheck({"compare", model_path("chaikin-pair"), "--levels", "1"}).out, "creasing chaikin");
+    EXPECT_SAYS(
+        loopcheck({"compare", model_path("chaikin-pair"), "--levels", "1", "--creasing", "uniform"}).out,
+        "creasing uniform");
+    EXPECT_SAYS(loopcheck({"compare", model_path("boundary-edge-only"), "--levels", "1"}).out,
+                "boundary edge-only");
+    EXPECT_SAYS(loopcheck({"compare", model_path("cow"), "--levels", "1"}).out, "boundary edge-and-corner");
+}
+
+TEST(CommandLine, ComparesInFloatWhenAsked) {
+    const auto r = loopcheck({"compare", model_path("cow"), "--levels", "2", "--precision", "float"});
+    EXPECT_EQ(r.code, 0);
+    EXPECT_SAYS(r.out, "a = ours-float");
+    EXPECT_SAYS(r.out, "b = opensubdiv-float");
+    EXPECT_SAYS(r.out, "verdict: identical");
+}
+
+TEST(CommandLine, WritesTheReportsItIsAskedFor) {
+    const tests::TemporaryFolder folder;
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    const auto r = loopcheck({"compare", model_path("cow"), "--levels", "1", "--json", at("r.json"), "--csv",
+                              at("r.csv"), "--ply", at("r.ply")});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(nlohmann::json::parse(core::read_file(at("r.json")).value()).at("command"), "compare");
+    const auto csv = core::read_file(at("r.csv")).value();
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 240 + 954);
+    EXPECT_EQ(core::read_model(at("r.ply")).value().data.positions.size(), 954U);
+    EXPECT_EQ(
+        loopcheck({"compare", model_path("cow"), "--levels", "1", "--json", "/no/such/folder/r.json"}).code,
+        2);
+
+    EXPECT_EQ(loopcheck({"suite", model_path("fan-2"), "--levels", "1", "--json", at("s.json"), "--junit",
+                         at("s.xml")})
+                  .code,
+              0);
+    EXPECT_EQ(nlohmann::json::parse(core::read_file(at("s.json")).value()).at("command"), "suite");
+    EXPECT_SAYS(core::read_file(at("s.xml")).value(), "<testsuite name=\"fan-2.obj\"");
+}
+
+TEST(CommandLine, TriangulatesWhenAskedAndSaysSo) {
+    const tests::TemporaryFolder folder;
+    const std::string quad = (folder / "quad.obj").string();
+    ASSERT_TRUE(core::write_file(quad, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+    const auto refused = loopcheck({"compare", quad, "--levels", "1"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_SAYS(refused.err, "line 5: face 0: The face has 4 corners");
+    EXPECT_SAYS(refused.err, "--triangulate");
+    const auto taken = loopcheck({"compare", quad, "--levels", "1", "--triangulate"});
+    EXPECT_EQ(taken.code, 0);
+    EXPECT_SAYS(taken.err, "1 polygons were split by a fan");
+}
+
+// Refining 1 + 2 levels through a file is refining 3 levels: the tags that are left are in the file.
+TEST(CommandLine, RefinesFromWhereAFileStopped) {
+    const tests::TemporaryFolder folder;
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    for (const char* model : {"cow-creased", "single-triangle", "semi-sharp-edge-2.5", "semi-sharp-vertex-2",
+                              "chaikin-graded", "hole-open", "boundary-none"}) {
+        ASSERT_EQ(loopcheck({"refine", model_path(model), "-o", at("1.obj"), "--levels", "1"}).code, 0)
+            << model;
+        ASSERT_EQ(loopcheck({"refine", at("1.obj"), "-o", at("1+2.obj"), "--levels", "2"}).code, 0) << model;
+        ASSERT_EQ(loopcheck({"refine", model_path(model), "-o", at("3.obj"), "--levels", "3"}).code, 0)
+            << model;
+        const auto split = core::read_model(at("1+2.obj")).value(),
+                   whole = core::read_model(at("3.obj")).value();
+        EXPECT_EQ(split.boundary, whole.boundary);
+        EXPECT_EQ(split.creasing, whole.creasing);
+        EXPECT_EQ(split.data.holes.size(), whole.data.holes.size());
+        EXPECT_EQ(split.data.creases.size(), whole.data.creases.size());
+        ASSERT_EQ(split.data.positions.size(), whole.data.positions.size());
+        // Another order of vertices and of sums, but each control vertex of level 1 keeps its index.  Five
+        // levels' worth of the quick bound (8 + 5 L) u M of core/loop/error_bound.h is more than enough.
+        double m = 0, worst = 0;
+        for (const auto& p : whole.data.positions)
+            m = std::max({m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        const auto level1 = core::read_model(at("1.obj")).value().data.positions.size();
+        for (std::size_t v = 0; v < level1; ++v)
+            for (int i = 0; i < 3; ++i)
+                worst = std::max(worst, std::abs(split.data.positions[v][i] - whole.data.positions[v][i]));
+        EXPECT_LE(worst, 2 * (8 + 5 * 3) * 0x1p-53 * m) << model;
+    }
+}
+
+TEST(CommandLine, RefinesByEverySubject) {
+    const tests::TemporaryFolder folder;
+    for (const Subject& subject : built_in_subjects()) {
+        const std::string path = (folder / (subject.name + ".ply")).string();
+        const auto r = loopcheck(
+            {"refine", model_path("cow"), "-o", path, "--levels", "2", "--scheme", subject.name, "--binary"});
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(core::read_model(path).value().data.positions.size(), 3810U) << subject.name;
+    }
+}
+
+TEST(CommandLine, ListsSubjectsAndTheVersion) {
+    const auto r = loopcheck({"subjects"});
+    EXPECT_EQ(r.code, 0);
+    for (const Subject& subject : built_in_subjects()) EXPECT_SAYS(r.out, subject.name + " ");
+    EXPECT_SAYS(loopcheck({"--version"}).out, "loopcheck ");
+    const auto help = loopcheck({"--help"});
+    EXPECT_EQ(help.code, 0);
+    EXPECT_SAYS(help.out, "Examples");
+    EXPECT_SAYS(help.out, "Exit codes");
+}
+
+}  // namespace
+}  // namespace loopcheck::compare

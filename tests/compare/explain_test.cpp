@@ -1,0 +1,86 @@
+#include "compare/explain.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/compare/support.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using test::model_mesh;
+
+std::string explain_vertex(const std::string& model, core::Index vertex, core::SchemeOptions options = {},
+                           int level = 1, CountFrom from = CountFrom::Zero) {
+    const auto text = explain(model_mesh(model), options, level, vertex, built_in_subjects(), from);
+    return text ? *text : core::to_string(text.error());
+}
+
+#define EXPECT_SAYS(text, what) EXPECT_NE((text).find(what), std::string::npos) << (text)
+
+TEST(Explain, SaysWhyATwoFaceBoundaryVertexIsNotKept) {
+    const auto text = explain_vertex("square-diagonal-a", 0);
+    EXPECT_SAYS(text, "It is a boundary vertex of 2 faces; boundary edges are infinitely sharp.");
+    EXPECT_SAYS(text, "edge-and-corner keeps only boundary vertices of exactly one face");
+    EXPECT_SAYS(text, "3/4");
+    EXPECT_SAYS(text, "1/8");
+}
+
+TEST(Explain, SaysWhyAOneFaceBoundaryVertexIsKept) {
+    EXPECT_SAYS(explain_vertex("single-triangle", 0),
+                "keeps boundary vertices of exactly one face: the corner rule.");
+    core::SchemeOptions edge_only;
+    edge_only.boundary = core::BoundaryRule::EdgeOnly;
+    EXPECT_SAYS(explain_vertex("single-triangle", 0, edge_only), "those of the boundary: the crease rule.");
+}
+
+TEST(Explain, GivesTheFormulaOfAnIrrationalWeight) {
+    const auto text = explain_vertex("icosahedron", 3);
+    EXPECT_SAYS(text, "It is an interior vertex of valence 5.");
+    EXPECT_SAYS(text, "b(5) = (5/8 - (3/8 + cos(2 pi/5)/4)^2)/5 = 0.084093218925");
+    EXPECT_SAYS(text, "(irrational)");
+}
+
+TEST(Explain, GivesWarrensWeightAsAFraction) {
+    core::SchemeOptions options;
+    options.weights = core::Weights::Warren;
+    EXPECT_SAYS(explain_vertex("icosahedron", 3, options), "3/(8*5) = 3/40");
+}
+
+TEST(Explain, ShowsTheBlendOfASemiSharpEdge) {
+    // The first crease of the model has the sharpness 1/4; find its edge point by the text.
+    const auto mesh = model_mesh("semi-sharp-edge-0.25");
+    core::Index edge = 0;
+    while (mesh.edge_sharpness()[edge] == 0) ++edge;
+    const auto text = explain_vertex("semi-sharp-edge-0.25", mesh.vertex_count() + edge);
+    EXPECT_SAYS(text, "edge point, crease becoming smooth: 0.25 of the first and 0.75 of the second");
+    EXPECT_SAYS(text, "13/32");  // 1/4 * 1/2 + 3/4 * 3/8
+    EXPECT_SAYS(text, "3/32");   // 3/4 * 1/8
+}
+
+TEST(Explain, CountsFromOneWhenAsked) {
+    const auto from_zero = explain_vertex("cow", 17);
+    const auto from_one = explain_vertex("cow", 17, {}, 1, CountFrom::One);
+    EXPECT_SAYS(from_zero, "vertex 17 of level 1 (vertices counted from 0)");
+    EXPECT_SAYS(from_one, "vertex 18 of level 1 (vertices counted from 1)");
+    EXPECT_SAYS(from_one, "the vertex point of vertex 18 of level 0");
+}
+
+TEST(Explain, ListsEverySubject) {
+    const auto text = explain_vertex("crease-straight", 0);
+    for (const Subject& subject : built_in_subjects()) EXPECT_SAYS(text, "\n  " + subject.name);
+    EXPECT_SAYS(text, "\n  exact");
+}
+
+TEST(Explain, RefusesAVertexThatDoesNotExist) {
+    EXPECT_SAYS(explain_vertex("tetrahedron", 10), "Level 1 has the vertices 0 to 9. [index-out-of-range]");
+    EXPECT_SAYS(explain_vertex("tetrahedron", -1), "[index-out-of-range]");
+    EXPECT_SAYS(explain_vertex("tetrahedron", 10, {}, 1, CountFrom::One), "1 to 10");
+}
+
+TEST(Explain, KnowsIsolatedVertices) {
+    const auto mesh = model_mesh("isolated-vertex-last");
+    EXPECT_SAYS(explain_vertex("isolated-vertex-last", mesh.vertex_count() - 1), "so it stays where it is");
+}
+
+}  // namespace
+}  // namespace loopcheck::compare

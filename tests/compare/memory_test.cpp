@@ -1,0 +1,116 @@
+#include "compare/memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "compare/referee.h"
+#include "tests/compare/support.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using test::model_mesh;
+using test::model_path;
+using test::subject;
+
+TEST(LevelSize, IsWhatRefinementMakes) {
+    for (const char* name : {"cow", "grid-4x4", "pillow", "isolated-vertex-middle"}) {
+        const auto mesh = model_mesh(name);
+        const auto made = subject("ours").refine(mesh, {}, 3);
+        ASSERT_TRUE(made);
+        for (int l = 0; l <= 3; ++l) {
+            EXPECT_EQ(level_size(mesh, l).vertices, static_cast<double>(made->levels[l].positions.size()))
+                << name;
+            EXPECT_EQ(level_size(mesh, l).faces, static_cast<double>(made->levels[l].triangles.size()))
+                << name;
+        }
+    }
+}
+
+TEST(CheckMemory, RefusesALevelThatCannotFitWithTheNumber) {
+    const auto mesh = model_mesh("cow");
+    EXPECT_FALSE(check_memory(mesh, 5, 1000, 1e9));
+    const auto error = check_memory(mesh, 6, 1000, 9e8);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, core::ErrorCode::OutOfMemory);
+    EXPECT_NE(error->sentence.find("974850 vertices"), std::string::npos) << error->sentence;
+    EXPECT_NE(error->sentence.find("0.908 GiB"), std::string::npos) << error->sentence;
+}
+
+TEST(CheckMemory, RefusesALevelThatCannotBeNumbered) {
+    const auto error = check_memory(model_mesh("cow"), 30, 1, 1e300);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, core::ErrorCode::TooLarge);
+}
+
+TEST(AvailableMemory, IsPositiveAndFinite) {
+    EXPECT_GT(available_memory(), 1e7);
+    EXPECT_LT(available_memory(), 1e15);
+}
+
+// Peak resident memory of the program run with these arguments, in bytes.
+double peak_memory(const std::vector<std::string>& arguments) {
+    const pid_t child = fork();
+    if (child == 0) {
+        std::vector<char*> argv;
+        static std::string program = LOOPCHECK_PROGRAM;
+        argv.push_back(program.data());
+        std::vector<std::string> copy = arguments;
+        for (std::string& a : copy) argv.push_back(a.data());
+        argv.push_back(nullptr);
+        if (freopen("/dev/null", "w", stdout) != nullptr) execv(argv[0], argv.data());
+        _exit(127);
+    }
+    int status = 0;
+    rusage usage{};
+    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) <= 1) << status;
+    return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+// The constants per vertex are measured ones: the estimate must cover the peak and not exceed it by more than
+// half.
+void expect_covers(double bytes_per_vertex, const std::vector<std::string>& arguments,
+                   const core::TriangleMesh& mesh, int level) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
+    const double estimate = bytes_per_vertex * level_size(mesh, level).vertices;
+    const double peak = peak_memory(arguments);
+    std::printf("%s: peak %.0f bytes a vertex, estimate %.0f\n", arguments[0].c_str(),
+                peak / level_size(mesh, level).vertices, bytes_per_vertex);
+    EXPECT_LE(peak, estimate);
+    EXPECT_GE(1.5 * peak, estimate);
+}
+
+TEST(MemoryEstimate, CoversComparisons) {
+    const auto mesh = model_mesh("cow");
+    const std::string model = model_path("cow");
+    for (const auto& subject : built_in_subjects()) {
+        if (subject.family == "ours" || subject.precision == core::Precision::Float) continue;
+        const std::array both{&test::subject("ours"), &subject};
+        expect_covers(referee_bytes_per_vertex(both, {}),
+                      {"compare", model, "--levels", "6", "--with", subject.name}, mesh, 6);
+    }
+    core::SchemeOptions warren;
+    warren.weights = core::Weights::Warren;
+    const std::array both{&subject("ours"), &subject("opensubdiv")};
+    expect_covers(referee_bytes_per_vertex(both, warren),
+                  {"compare", model, "--levels", "6", "--weights", "warren"}, mesh, 6);
+}
+
+TEST(MemoryEstimate, CoversWritingAMesh) {
+    const auto mesh = model_mesh("cow");
+    for (const auto& subject : built_in_subjects()) {
+        if (subject.precision == core::Precision::Float) continue;
+        expect_covers(subject.bytes_per_vertex + kWrittenBytesPerVertex,
+                      {"refine", model_path("cow"), "-o", testing::TempDir() + "memory.obj", "--levels", "6",
+                       "--scheme", subject.name},
+                      mesh, 6);
+    }
+}
+
+}  // namespace
+}  // namespace loopcheck::compare

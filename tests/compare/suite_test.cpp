@@ -1,0 +1,103 @@
+#include "compare/suite.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "compare/report/report.h"
+#include "tests/compare/support.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using test::model_path;
+
+SuiteResult run(const std::vector<std::string>& models, std::span<const Subject> subjects, int jobs = 1) {
+    std::vector<std::filesystem::path> paths;
+    for (const std::string& model : models) paths.emplace_back(model);
+    return run_suite(paths, subjects, {.levels = 2, .jobs = jobs, .memory_limit = 1e10},
+                     [](auto, auto, const auto&) {});
+}
+
+TEST(Suite, ComparesEveryModelUnderEveryBoundaryOptionWithEveryPeer) {
+    const auto subjects = built_in_subjects();
+    const auto result = run({model_path("cow"), model_path("fan-1")}, subjects);
+    const std::size_t peers = subjects.size() - 2;
+    EXPECT_EQ(result.rows.size(), 2 * 3 * peers);
+    EXPECT_EQ(result.exit_code(), 0);
+    EXPECT_EQ(result.count(Verdict::Identical), 2 * 3 * 2U);
+}
+
+TEST(Suite, TakesTheCreasingThatTheModelDeclares) {
+    const auto subjects = built_in_subjects();
+    const auto result = run({model_path("chaikin-overweight")}, subjects);
+    EXPECT_EQ(result.count(Verdict::KnownDeviation), 6U);
+    for (const SuiteRow& row : result.rows)
+        EXPECT_EQ(row.comparison.options.creasing, core::Creasing::Chaikin);
+}
+
+TEST(Suite, GivesTheSameReportOnAnyNumberOfJobs) {
+    const auto subjects = built_in_subjects();
+    const std::vector<std::string> models{model_path("cow"), model_path("fan-3"), model_path("crease-loop"),
+                                          model_path("torus"), model_path("pillow")};
+    EXPECT_EQ(suite_as_json(run(models, subjects, 1), subjects),
+              suite_as_json(run(models, subjects, 4), subjects));
+}
+
+TEST(Suite, FailsWhenASubjectDiffers) {
+    auto subjects = built_in_subjects();
+    auto cheat = test::cheat_rules("cheat", [](auto& options) { options.weights = core::Weights::Warren; });
+    cheat.has_weight_option = false;
+    subjects.push_back(cheat);
+    const auto result = run({model_path("icosahedron"), model_path("tetrahedron")}, subjects);
+    EXPECT_EQ(result.count(Verdict::Differs), 3U) << "valence 5 differs, valence 3 and then 6 do not";
+    EXPECT_EQ(result.exit_code(), 1);
+    const auto text = suite_as_text(result, subjects);
+    EXPECT_EQ(text.rfind("differs\n  icosahedron.obj", 0), 0U) << "failures first:\n" << text;
+    EXPECT_NE(text.find("\nFAIL: "), std::string::npos) << text;
+}
+
+TEST(Suite, FailsWhenASubjectFailsButNotWhenItCannotDoAModel) {
+    auto subjects = built_in_subjects();
+    subjects.push_back(test::cheat("broken", [](core::Refinement& r) { r.levels[1].positions.pop_back(); }));
+    EXPECT_EQ(run({model_path("cow")}, subjects).exit_code(), 3);
+    Subject refusing = test::subject("ours");
+    refusing.name = refusing.family = "refusing";
+    refusing.refine = [](const auto&, const auto&, int) -> core::Result<core::Refinement> {
+        return core::fail(core::ErrorCode::Unsupported, "No.");
+    };
+    subjects.back() = refusing;
+    EXPECT_EQ(run({model_path("cow")}, subjects).exit_code(), 0);
+}
+
+TEST(Suite, GoesOnAfterAModelThatCannotBeRead) {
+    const auto subjects = built_in_subjects();
+    const auto result =
+        run({std::string(LOOPCHECK_MODELS_DIR) + "/reject/repeated-vertex.obj", model_path("cow")}, subjects);
+    ASSERT_EQ(result.unreadable.size(), 1U);
+    EXPECT_EQ(result.unreadable[0].error.code, core::ErrorCode::RepeatedVertex);
+    EXPECT_EQ(result.unreadable[0].error.place.kind, core::Place::Kind::Line);
+    EXPECT_EQ(result.count(Verdict::Identical), 6U);
+    EXPECT_EQ(result.exit_code(), 2);
+}
+
+TEST(Suite, RefusesAModelThatDoesNotFit) {
+    const auto subjects = built_in_subjects();
+    const std::vector<std::filesystem::path> models{model_path("cow")};
+    const auto result =
+        run_suite(models, subjects, {.levels = 9, .memory_limit = 1e9}, [](auto, auto, const auto&) {});
+    ASSERT_EQ(result.unreadable.size(), 1U);
+    EXPECT_EQ(result.unreadable[0].error.code, core::ErrorCode::OutOfMemory);
+}
+
+TEST(FindModels, TakesModelFilesSortedAndNoSubfolders) {
+    const auto found = find_models(LOOPCHECK_MODELS_DIR);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->size(), 40U);
+    EXPECT_TRUE(std::is_sorted(found->begin(), found->end()));
+    for (const auto& path : *found) EXPECT_EQ(path.parent_path().filename(), "models") << path;
+    EXPECT_EQ(find_models("/no/such/folder").error().code, core::ErrorCode::CannotRead);
+}
+
+}  // namespace
+}  // namespace loopcheck::compare

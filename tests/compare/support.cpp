@@ -1,0 +1,71 @@
+#include "tests/compare/support.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+#include "core/loop/refine.h"
+
+namespace loopcheck::compare::test {
+
+std::string model_path(const std::string& name) {
+    return std::string(LOOPCHECK_MODELS_DIR) + "/" + name + ".obj";
+}
+
+core::TriangleMesh model_mesh(const std::string& name) {
+    auto model = load_model(model_path(name), false);
+    if (!model) {
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), core::to_string(model.error()).c_str());
+        std::abort();
+    }
+    return std::move(model->mesh);
+}
+
+Subject cheat(const std::string& name, Spoil spoil) {
+    Subject out = subject("ours");
+    out.name = out.family = name;
+    out.refine = [spoil = std::move(spoil)](const core::TriangleMesh& mesh,
+                                            const core::SchemeOptions& options, int levels) {
+        auto made = core::refine<double>(mesh, options, levels);
+        spoil(*made);
+        return made;
+    };
+    return out;
+}
+
+Subject cheat_rules(const std::string& name, std::function<void(core::SchemeOptions&)> change) {
+    Subject out = subject("ours");
+    out.name = out.family = name;
+    out.refine = [change = std::move(change)](const core::TriangleMesh& mesh, core::SchemeOptions options,
+                                              int levels) {
+        change(options);
+        return core::refine<double>(mesh, options, levels);
+    };
+    return out;
+}
+
+const Subject& subject(const std::string& name) {
+    static const auto table = built_in_subjects();
+    const Subject* found = find_subject(table, name);
+    if (found == nullptr) {
+        std::fprintf(stderr, "no subject %s\n", name.c_str());
+        std::abort();
+    }
+    return *found;
+}
+
+double ulps_off(double x, int n) {
+    for (int i = 0; i < n; ++i)
+        x = std::nextafter(
+            x, x < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity());
+    return x;
+}
+
+std::string notes(const Comparison& comparison) {
+    std::string out;
+    for (const std::string& note : comparison.notes) out += note + "\n";
+    return out;
+}
+
+}  // namespace loopcheck::compare::test

@@ -1,0 +1,37 @@
+// Models by name, and subjects that cheat: what the referee must see through.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "compare/loading.h"
+#include "compare/referee.h"
+#include "compare/subject.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace loopcheck::compare::test {
+
+/// The mesh of models/NAME.obj; stops the test program where it cannot be read.
+core::TriangleMesh model_mesh(const std::string& name);
+
+/// The path of models/NAME.obj.
+std::string model_path(const std::string& name);
+
+/// Ours, with its result changed afterwards.
+using Spoil = std::function<void(core::Refinement&)>;
+Subject cheat(const std::string& name, Spoil spoil);
+
+/// Ours, asked for other rules than the referee was.
+Subject cheat_rules(const std::string& name, std::function<void(core::SchemeOptions&)> change);
+
+/// The built-in subject of that name.
+const Subject& subject(const std::string& name);
+
+/// The next double away from zero, n times.
+double ulps_off(double x, int n);
+
+/// All notes of a comparison in one text.
+std::string notes(const Comparison& comparison);
+
+}  // namespace loopcheck::compare::test

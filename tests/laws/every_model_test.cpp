@@ -1,0 +1,92 @@
+// Every model, under every boundary option, by every peer, at every level: the exact tier and the bounded
+// tier.  A new file in models/ is a new test.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+#include "compare/loading.h"
+#include "compare/referee.h"
+#include "compare/suite.h"
+
+namespace loopcheck::compare {
+namespace {
+
+// Levels to refine: 5, or fewer where the tests run under sanitizers.
+int levels() {
+    const char* text = std::getenv("LOOPCHECK_TEST_LEVELS");
+    return text == nullptr ? 5 : std::atoi(text);
+}
+
+std::vector<std::string> model_names() {
+    std::vector<std::string> names;
+    const auto found = find_models(LOOPCHECK_MODELS_DIR).value();
+    for (const auto& path : found)
+        names.push_back(path.filename().string());
+    return names;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
+    std::string out = info.param.substr(0, info.param.rfind('.'));
+    std::replace_if(
+        out.begin(), out.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return out;
+}
+
+class EveryModel : public testing::TestWithParam<std::string> {};
+
+// True where a known deviation says that this comparison must differ.
+bool is_expected_to_deviate(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                            const Subject& peer) {
+    const auto list = known_deviations();
+    return std::any_of(list.begin(), list.end(), [&](const KnownDeviation& deviation) {
+        return deviation.family == peer.family && is_predicted(deviation, mesh, options, levels());
+    });
+}
+
+void expect_right(const Comparison& c, const core::TriangleMesh& mesh, const Subject& peer) {
+    const std::string what = fmt::format("{} against {}, {}: {}", c.subject, c.reference,
+                                         core::name(c.options.boundary), fmt::format("{}", name(c.verdict)));
+    if (is_expected_to_deviate(mesh, c.options, peer)) {
+        EXPECT_EQ(c.verdict, Verdict::KnownDeviation) << what;
+        return;
+    }
+    if (peer.family == "opensubdiv") {
+        EXPECT_EQ(c.verdict, Verdict::Identical) << what;
+    } else if (c.verdict != Verdict::NotSupported) {
+        EXPECT_LE(c.verdict, Verdict::WithinRounding) << what;
+    }
+    double use = 0;
+    for (const LevelResult& level : c.levels) {
+        const ClassStats all = total(level);
+        use = std::max(use, all.largest_bound_use);
+        EXPECT_EQ(all.subject_wrong, 0U) << what << " level " << level.level;
+        EXPECT_EQ(all.reference_wrong, 0U) << what << " level " << level.level;
+        EXPECT_EQ(all.rule_mismatches, 0U) << what << " level " << level.level;
+    }
+    fmt::print("{}; largest use of the bound {:.3f}\n", what, use);
+}
+
+TEST_P(EveryModel, AgreesWithEveryPeer) {
+    const auto model = load_model(std::string(LOOPCHECK_MODELS_DIR) + "/" + GetParam(), false);
+    ASSERT_TRUE(model) << core::to_string(model.error());
+    const auto subjects = built_in_subjects();
+    for (const auto boundary :
+         {core::BoundaryRule::EdgeAndCorner, core::BoundaryRule::EdgeOnly, core::BoundaryRule::None}) {
+        Referee referee(model->mesh,
+                        options_for_model(model->model, boundary, std::nullopt, core::Weights::Loop),
+                        levels());
+        for (const Subject& peer : subjects) {
+            if (peer.family == "ours") continue;
+            const Subject* ours = in_precision(subjects, *find_subject(subjects, "ours"), peer.precision);
+            expect_right(referee.judge(*ours, peer), model->mesh, peer);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, EveryModel, testing::ValuesIn(model_names()), test_name);
+
+}  // namespace
+}  // namespace loopcheck::compare
