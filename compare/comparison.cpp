@@ -74,9 +74,11 @@ class LevelComparer {
         r.vertex = v;
         r.subject_vertex = a_.match->vertex_of[out_.level][v];
         r.reference_vertex = b_.match->vertex_of[out_.level][v];
-        if (out_.level > 0) r.ancestor = truth_a_.ancestors[v];
+        if (out_.level > 0) {
+            r.ancestor = truth_a_.ancestors[v];
+            r.mask = truth_a_.rows.mask(v);
+        }
         r.vertex_class = truth_a_.scheme.classes[v];
-        r.rule = rules_[v];
         r.subject = made_a_.positions[r.subject_vertex];
         r.reference = made_b_.positions[r.reference_vertex];
         r.exact = truth_a_.exact[v];
@@ -123,7 +125,7 @@ class LevelComparer {
         stats.subject_error.add(r.subject_error, same_bits(r.subject, truth_a_.exact[r.vertex]));
         stats.reference_error.add(r.reference_error, same_bits(r.reference, truth_b_.exact[r.vertex]));
         stats.largest_bound_use = std::max(stats.largest_bound_use, r.bound_use);
-        const core::VertexTag tag{r.rule, truth_a_.scheme.topology.is_boundary_vertex(r.vertex)};
+        const core::VertexTag tag{rules_[r.vertex], truth_a_.scheme.topology.is_boundary_vertex(r.vertex)};
         const auto mismatch = [&](const core::RefinedLevel& made, Index v) {
             return !made.tags.empty() && made.tags[v] != tag;
         };

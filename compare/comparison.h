@@ -74,7 +74,7 @@ struct VertexRecord {
     core::Index reference_vertex = 0;  ///< in the reference's own order
     core::Ancestor ancestor;           ///< meaningless at level 0
     core::VertexClass vertex_class;
-    core::VertexRule rule = core::VertexRule::Smooth;
+    std::optional<core::Mask> mask;  ///< the rule that made it; nothing at level 0
     glm::dvec3 subject{0}, reference{0}, exact{0};
     bool identical = false;  ///< subject and reference have the same bits
     double error = 0;  ///< largest coordinate of |subject - reference|; infinite where one is not finite

@@ -41,7 +41,7 @@ class Explainer {
         return fmt::format(
             "vertex {} of level {} (vertices counted from {})\n  {}\n  class: {}\n  rule: {}\n{}\n{}",
             number(vertex_), level_, static_cast<int>(from_), origin(),
-            core::to_string(child_.scheme.classes[vertex_]), rule(), reasons(), mask_table());
+            core::to_string(child_.scheme.classes[vertex_]), core::to_string(mask_), reasons(), mask_table());
     }
 
   private:
@@ -56,14 +56,6 @@ class Explainer {
         const auto [a, b] = topology().edge_ends[edge()];
         return fmt::format("the edge point of the edge between vertices {} and {} of level {}", number(a),
                            number(b), level_ - 1);
-    }
-
-    std::string rule() const {
-        const std::string point = mask_.point == Mask::Point::Vertex ? "vertex point" : "edge point";
-        if (!mask_.is_blended()) return fmt::format("{}, {}", point, core::name(mask_.parent));
-        return fmt::format("{}, {} becoming {}: {} of the first and {} of the second", point,
-                           core::name(mask_.parent), core::name(mask_.child), core::shortest(mask_.share),
-                           core::shortest(1 - mask_.share));
     }
 
     std::string reasons() const {

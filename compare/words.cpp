@@ -114,4 +114,8 @@ std::string ancestry_in_words(const VertexRecord& record) {
                              record.ancestor.index % 3);
 }
 
+std::string rule_in_words(const VertexRecord& record) {
+    return record.mask ? core::to_string(*record.mask) : std::string("none, it is given");
+}
+
 }  // namespace loopcheck::compare

@@ -19,8 +19,11 @@ std::vector<std::string> verdict_in_words(const Comparison& comparison,
 /// done.
 std::string deviation_in_words(const KnownDeviation& deviation, const Comparison& predicted);
 
-/// "vertex 17, the edge point of vertices 3 and 8": a vertex and where it comes from.
+/// Where a vertex comes from: "vertex point of 17", "edge point of face 3 edge 1".
 std::string ancestry_in_words(const VertexRecord& record);
+
+/// The rule that made it: "vertex point, crease".
+std::string rule_in_words(const VertexRecord& record);
 
 /// An error in u M, or in model units where M is not known: "0.42 u M".
 std::string in_units(double error, double unit);

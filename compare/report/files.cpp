@@ -89,7 +89,7 @@ CsvReport::CsvReport()
 
 void CsvReport::add(std::string_view model, const VertexRecord& r, double unit) {
     text_ += fmt::format("{},{},{},{},{},{}", csv_field(model), r.level, r.vertex, ancestry_in_words(r),
-                         core::to_string(r.vertex_class), core::name(r.rule));
+                         core::to_string(r.vertex_class), csv_field(rule_in_words(r)));
     for (const glm::dvec3& p : {r.subject, r.reference})
         for (int i = 0; i < 3; ++i) text_ += "," + core::shortest(p[i]);
     text_ += fmt::format(",{},{},{},{}\n", core::shortest(r.error), core::shortest(r.error / unit),

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report/report.h"
+#include "compare/words.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
@@ -40,7 +41,7 @@ Json json_of(const VertexRecord& r) {
              {"subject_vertex", r.subject_vertex},
              {"reference_vertex", r.reference_vertex},
              {"class", core::to_string(r.vertex_class)},
-             {"rule", core::name(r.rule)},
+             {"rule", rule_in_words(r)},
              {"error", r.error},
              {"subject_error", r.subject_error},
              {"reference_error", r.reference_error},

@@ -67,9 +67,9 @@ const LevelResult& level_of_interest(const Comparison& c) {
 
 std::string vertex_as_text(const VertexRecord& r, const Comparison& c) {
     std::string out =
-        fmt::format("  vertex {} of level {} ({}; {}; rule {}): |a-b| = {:.6g} = {}, bound used {:.3g}\n",
+        fmt::format("  vertex {} of level {} ({}; {}; rule: {}): |a-b| = {:.6g} = {}, bound used {:.3g}\n",
                     r.vertex, r.level, ancestry_in_words(r), core::to_string(r.vertex_class),
-                    core::name(r.rule), r.error, in_units(r.error, c.unit()), r.bound_use);
+                    rule_in_words(r), r.error, in_units(r.error, c.unit()), r.bound_use);
     const auto position = [](const std::string& who, const glm::dvec3& p) {
         std::vector<std::string> decimal, hex;
         for (int i = 0; i < 3; ++i) {

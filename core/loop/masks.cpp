@@ -1,8 +1,17 @@
 #include "core/loop/masks.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
 namespace loopcheck::core {
+
+std::string to_string(const Mask& mask) {
+    const auto point = mask.point == Mask::Point::Vertex ? "vertex point" : "edge point";
+    if (!mask.is_blended()) return fmt::format("{}, {}", point, name(mask.parent));
+    return fmt::format("{}, {} {} + {} {}", point, mask.share, name(mask.parent), 1 - mask.share,
+                       name(mask.child));
+}
 
 std::vector<int> places_of(const Mask& mask) {
     if (mask.point == Mask::Point::Edge) {

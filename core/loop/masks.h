@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/loop/weights.h"
@@ -37,6 +38,9 @@ struct Mask {
 
     bool is_blended() const { return parent != child; }
 };
+
+/// The rule in words: "edge point, crease" or "vertex point, 0.3 corner + 0.7 crease".
+std::string to_string(const Mask& mask);
 
 /// The places of the neighbourhood that a mask reads, in the order in which they are summed: ring positions
 /// and then `ring` for the vertex itself; 0, 1 for the ends of an edge and 2, 3 for the vertices opposite it.

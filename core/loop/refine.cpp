@@ -17,6 +17,16 @@ Sharpness child_sharpness(const Topology& parent, const Sharpness& sharpness,
     return child;
 }
 
+// Per vertex of the next level: 1 where it comes from a vertex or edge with a finite sharpness.
+std::vector<std::uint8_t> comes_from_finite_sharpness(const SchemeLevel& parent) {
+    std::vector<std::uint8_t> out;
+    out.reserve(parent.topology.vertex_count + parent.topology.edge_ends.size());
+    for (Index v = 0; v < parent.topology.vertex_count; ++v)
+        out.push_back(has_finite_sharpness(parent.topology, parent.sharpness, v) ? 1 : 0);
+    for (const float s : parent.sharpness.edge) out.push_back(is_semi_sharp(s) ? 1 : 0);
+    return out;
+}
+
 RefinedLevel as_refined_level(const SchemeLevel& level, std::vector<Ancestor> ancestors) {
     RefinedLevel out;
     out.triangles = level.topology.triangles;
@@ -45,9 +55,8 @@ Result<Step> next_level(const SchemeLevel& level, const SchemeOptions& options) 
     step.ancestors = ancestors_of_split(level.topology);
     step.child.topology = std::move(*topology);
     step.child.sharpness = child_sharpness(level.topology, level.sharpness, halves);
-    std::vector<std::uint8_t> blended(step.rows.row_count());
-    for (std::size_t i = 0; i < blended.size(); ++i) blended[i] = step.rows.mask(i).is_blended() ? 1 : 0;
-    step.child.classes = classify(step.child.topology, step.child.sharpness, blended);
+    step.child.classes =
+        classify(step.child.topology, step.child.sharpness, comes_from_finite_sharpness(level));
     return step;
 }
 

@@ -13,13 +13,13 @@ int sharp_edges_at(const Topology& topology, const Sharpness& sharpness, Index v
         std::count_if(ring.begin(), ring.end(), [&](Index e) { return is_sharp(sharpness.edge[e]); }));
 }
 
+}  // namespace
+
 bool has_finite_sharpness(const Topology& topology, const Sharpness& sharpness, Index v) {
     const auto ring = topology.ring(v);
     return is_semi_sharp(sharpness.vertex[v]) ||
            std::any_of(ring.begin(), ring.end(), [&](Index e) { return is_semi_sharp(sharpness.edge[e]); });
 }
-
-}  // namespace
 
 VertexRule rule_of(float vertex_sharpness, int sharp_edges) {
     if (is_sharp(vertex_sharpness) || sharp_edges > 2) return VertexRule::Corner;
@@ -55,14 +55,14 @@ std::string to_string(VertexClass c) {
 }
 
 std::vector<VertexClass> classify(const Topology& topology, const Sharpness& sharpness,
-                                  const std::vector<std::uint8_t>& blended) {
+                                  const std::vector<std::uint8_t>& from_finite) {
     using Kind = VertexClass::Kind;
     const std::vector<VertexRule> rules = vertex_rules(topology, sharpness);
     std::vector<VertexClass> classes(topology.vertex_count);
     for (Index v = 0; v < topology.vertex_count; ++v) {
         const auto kind = [&] {
             if (topology.is_isolated(v)) return Kind::Isolated;
-            if ((!blended.empty() && blended[v]) || has_finite_sharpness(topology, sharpness, v))
+            if ((!from_finite.empty() && from_finite[v]) || has_finite_sharpness(topology, sharpness, v))
                 return Kind::SemiSharp;
             if (rules[v] == VertexRule::Corner) return Kind::Corner;
             if (topology.is_boundary_vertex(v)) return Kind::Boundary;

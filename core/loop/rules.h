@@ -28,7 +28,7 @@ struct VertexClass {
         Crease,     ///< inside, two infinitely sharp edges
         Dart,       ///< inside, one infinitely sharp edge
         Corner,     ///< kept: infinitely sharp itself, or more than two infinitely sharp edges
-        SemiSharp,  ///< a finite sharpness has a say in it: it carries one, or its row was blended by one
+        SemiSharp,  ///< a finite sharpness has a say in it: it carries one, or what it comes from did
         Isolated,   ///< in no face
     };
     Kind kind = Kind::Interior;
@@ -40,9 +40,12 @@ struct VertexClass {
 /// "interior 6", "boundary", "semi-sharp".
 std::string to_string(VertexClass c);
 
-/// The class of every vertex of a level.  `blended` has 1 for the vertices whose row mixes two rules by a
-/// finite sharpness; it is empty at level 0.
+/// True where v or an edge at it has a finite sharpness.
+bool has_finite_sharpness(const Topology& topology, const Sharpness& sharpness, Index v);
+
+/// The class of every vertex of a level.  `from_finite` has 1 for the vertices that come from a vertex or an
+/// edge with a finite sharpness at it; it is empty at level 0.
 std::vector<VertexClass> classify(const Topology& topology, const Sharpness& sharpness,
-                                  const std::vector<std::uint8_t>& blended);
+                                  const std::vector<std::uint8_t>& from_finite);
 
 }  // namespace loopcheck::core

@@ -52,7 +52,7 @@ TEST(Explain, ShowsTheBlendOfASemiSharpEdge) {
     core::Index edge = 0;
     while (mesh.edge_sharpness()[edge] == 0) ++edge;
     const auto text = explain_vertex("semi-sharp-edge-0.25", mesh.vertex_count() + edge);
-    EXPECT_SAYS(text, "edge point, crease becoming smooth: 0.25 of the first and 0.75 of the second");
+    EXPECT_SAYS(text, "rule: edge point, 0.25 crease + 0.75 smooth");
     EXPECT_SAYS(text, "13/32");  // 1/4 * 1/2 + 3/4 * 3/8
     EXPECT_SAYS(text, "3/32");   // 3/4 * 1/8
 }

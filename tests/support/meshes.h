@@ -16,7 +16,8 @@ using Triangles = std::vector<core::Triangle>;
 /// Positions without any symmetry or special value, for tests to which they do not matter.
 inline Positions scattered(int count) {
     Positions out;
-    for (int i = 0; i < count; ++i) out.push_back({std::cos(1.7 * i), std::sin(2.3 * i + 1), std::cos(i * i)});
+    for (int i = 0; i < count; ++i)
+        out.push_back({std::cos(1.7 * i), std::sin(2.3 * i + 1), std::cos(i * i)});
     return out;
 }
 

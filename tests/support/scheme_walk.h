@@ -1,6 +1,7 @@
 // The scheme taken step by step: rows first, then positions in any scalar type, then bounds.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -25,13 +26,25 @@ inline std::vector<core::Step> steps_of(const core::TriangleMesh& mesh, const co
     return steps;
 }
 
+/// True where every weight of a mask is a fraction of integers.
+inline bool is_fraction(const core::Mask& mask, core::Weights weights) {
+    const bool smooth = mask.point == core::Mask::Point::Vertex &&
+                        (core::detail::is_smooth(mask.parent) || core::detail::is_smooth(mask.child));
+    return !smooth || weights == core::Weights::Warren || core::is_rational_loop_weight(mask.ring);
+}
+inline bool are_fractions(const std::vector<core::Step>& steps, core::Weights weights) {
+    return std::all_of(steps.begin(), steps.end(), [&](const core::Step& step) {
+        return std::all_of(step.rows.masks.begin(), step.rows.masks.end(),
+                           [&](const core::Mask& mask) { return is_fraction(mask, weights); });
+    });
+}
+
 /// Positions of every level, from those of level 0.
 template <class Scalar>
 std::vector<core::Points<Scalar>> positions_of(const std::vector<core::Step>& steps, core::Weights weights,
                                                core::Points<Scalar> control) {
     std::vector<core::Points<Scalar>> levels{std::move(control)};
-    for (const auto& step : steps)
-        levels.push_back(core::apply<Scalar>(step.rows, weights, levels.back()));
+    for (const auto& step : steps) levels.push_back(core::apply<Scalar>(step.rows, weights, levels.back()));
     return levels;
 }
 

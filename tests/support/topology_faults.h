@@ -57,7 +57,8 @@ class TopologyFaults {
             const auto& ends = t_.edge_ends[e];
             require(std::minmax(ends[0], ends[1]) == std::minmax(a, b), "face {}: edge {} is not {}-{}", f, e,
                     a, b);
-            require(t_.edge_faces[e][0] == f || t_.edge_faces[e][1] == f, "face {}: not on its edge {}", f, e);
+            require(t_.edge_faces[e][0] == f || t_.edge_faces[e][1] == f, "face {}: not on its edge {}", f,
+                    e);
         }
     }
 
@@ -105,7 +106,8 @@ class TopologyFaults {
         const bool open = t_.is_boundary_edge(ring.front());
         for (int i = 0; i < n; ++i) {
             const bool at_end = i == 0 || i == n - 1;
-            require(t_.is_boundary_edge(ring[i]) == (open && at_end), "ring of {}: boundary at edge {}", v, i);
+            require(t_.is_boundary_edge(ring[i]) == (open && at_end), "ring of {}: boundary at edge {}", v,
+                    i);
             if (open && i == n - 1) break;
             require(edge_after(v, ring[i]) == ring[(i + 1) % n], "ring of {}: edge {} does not follow", v,
                     i + 1);

@@ -34,8 +34,7 @@ TEST(VertexRules, CountSharpAndSemiSharpEdgesAlike) {
             MeshData data = tests::wheel(5);
             for (Index i = 1; i <= edges; ++i) data.creases.push_back({0, i, s});
             const auto mesh = mesh_of(std::move(data));
-            const auto rules =
-                vertex_rules(mesh.topology(), control_sharpness(mesh, BoundaryRule::EdgeOnly));
+            const auto rules = vertex_rules(mesh.topology(), control_sharpness(mesh, BoundaryRule::EdgeOnly));
             EXPECT_EQ(rules[0], rule_of(0, edges)) << edges;
             // The boundary has two sharp edges; a spoke is a third one.
             for (Index i = 1; i <= 5; ++i)
@@ -84,18 +83,30 @@ TEST(Classify, TellsTheVerticesOfTheBoundaryApart) {
               (std::vector{boundary, boundary, boundary, boundary, isolated}));
 }
 
-// A sharpness of 1/2 has no say after one level but in the rows that it blended.
-TEST(Classify, ABlendedRowIsSemiSharp) {
+// A sharpness of 1/2 on edge 01 decides the first step: of its two ends and of its edge point.
+TEST(Classify, WhatComesFromAFiniteSharpnessIsSemiSharp) {
     MeshData data = tests::tetrahedron();
     data.creases = {{0, 1, 0.5F}};
     const auto steps = tests::steps_of(mesh_of(std::move(data)), {}, 2);
-    const Step& first = steps[0];
-    for (std::size_t i = 0; i < first.rows.row_count(); ++i)
-        EXPECT_EQ(first.child.classes[i].kind == Kind::SemiSharp, first.rows.mask(i).is_blended()) << i;
-    const auto semi_sharp = [](const VertexClass& c) { return c.kind == Kind::SemiSharp; };
-    EXPECT_EQ(std::count_if(first.child.classes.begin(), first.child.classes.end(), semi_sharp), 1);
-    const auto& second = steps[1].child.classes;
-    EXPECT_EQ(std::count_if(second.begin(), second.end(), semi_sharp), 0);
+    const auto semi_sharp = [](const SchemeLevel& level) {
+        std::vector<Index> out;
+        for (Index v = 0; v < level.topology.vertex_count; ++v)
+            if (level.classes[v].kind == Kind::SemiSharp) out.push_back(v);
+        return out;
+    };
+    EXPECT_EQ(semi_sharp(steps[0].child), (std::vector<Index>{0, 1, 6}));
+    EXPECT_EQ(semi_sharp(steps[1].child), std::vector<Index>{});
+}
+
+TEST(HasFiniteSharpness, IsAboutTheVertexAndItsEdges) {
+    MeshData data = tests::wheel(5);
+    data.creases = {{0, 2, 1.5F}, {0, 3, 10}};
+    data.corners = {{1, 0.5F}, {4, 10}};
+    const auto mesh = mesh_of(std::move(data));
+    const auto sharpness = control_sharpness(mesh, BoundaryRule::EdgeOnly);
+    const bool expected[] = {true, true, true, false, false, false};
+    for (Index v = 0; v < 6; ++v)
+        EXPECT_EQ(has_finite_sharpness(mesh.topology(), sharpness, v), expected[v]) << v;
 }
 
 class ClassesOf : public testing::TestWithParam<std::string> {};
@@ -108,10 +119,19 @@ TEST_P(ClassesOf, RefinementMakesNoExtraordinaryVertex) {
         ASSERT_EQ(step.child.classes.size(), static_cast<std::size_t>(step.child.topology.vertex_count));
         for (Index v = model.mesh.vertex_count(); v < step.child.topology.vertex_count; ++v) {
             const VertexClass c = step.child.classes[v];
-            if (c.kind == Kind::Interior) ASSERT_EQ(c.valence, 6) << v;
+            ASSERT_EQ(c.valence, c.kind == Kind::Interior ? 6 : 0) << v;
             ASSERT_NE(c.kind, Kind::Isolated) << v;
         }
     }
+}
+
+TEST_P(ClassesOf, BlendedRowsAreSemiSharp) {
+    const auto model = tests::load_model(GetParam());
+    for (const auto& step : tests::steps_of(model.mesh, model.options, 3))
+        for (Index v = 0; v < step.child.topology.vertex_count; ++v)
+            if (step.rows.mask(v).is_blended()) {
+                ASSERT_EQ(step.child.classes[v].kind, Kind::SemiSharp) << v;
+            }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ClassesOf, testing::ValuesIn(tests::model_files()), tests::model_test_name);

@@ -100,12 +100,23 @@ TEST_P(ModelFile, HasTheEulerCharacteristicOfAnOrientableSurface) {
 INSTANTIATE_TEST_SUITE_P(Models, ModelFile, testing::ValuesIn(tests::model_files()), tests::model_test_name);
 
 TEST(ModelFiles, HaveTheEulerCharacteristicOfTheirNames) {
-    const std::map<std::string, int> expected{
-        {"tetrahedron", 2},        {"octahedron", 2},      {"icosahedron", 2},   {"pillow", 2},
-        {"torus", 0},              {"genus-2", -2},        {"annulus", 0},       {"single-triangle", 1},
-        {"square-diagonal-a", 1},  {"grid-4x4", 1},        {"fan-9", 1},         {"bipyramid-360", 2},
-        {"isolated-vertex-last", 3}, {"two-components", 4}, {"cow", 2},          {"mixed-valence", 2},
-        {"two-components-open-closed", 3}};
+    const std::map<std::string, int> expected{{"tetrahedron", 2},
+                                              {"octahedron", 2},
+                                              {"icosahedron", 2},
+                                              {"pillow", 2},
+                                              {"torus", 0},
+                                              {"genus-2", -2},
+                                              {"annulus", 0},
+                                              {"single-triangle", 1},
+                                              {"square-diagonal-a", 1},
+                                              {"grid-4x4", 1},
+                                              {"fan-9", 1},
+                                              {"bipyramid-360", 2},
+                                              {"isolated-vertex-last", 3},
+                                              {"two-components", 4},
+                                              {"cow", 2},
+                                              {"mixed-valence", 2},
+                                              {"two-components-open-closed", 3}};
     for (const auto& [name, euler] : expected)
         EXPECT_EQ(shape_of(load_model(tests::model_path(name)).mesh.topology()).euler, euler) << name;
 }
