@@ -42,8 +42,8 @@ std::string who_is_right(const Comparison& comparison) {
     }
     const auto describe = [](std::string_view name, std::size_t wrong) {
         return wrong == 0
-                   ? fmt::format("{} is within rounding of the exact rules", name)
-                   : fmt::format("{} is not within rounding of the exact rules at {} vertices", name, wrong);
+                   ? fmt::format("{} is within rounding of its exact rules", name)
+                   : fmt::format("{} is not within rounding of its exact rules at {} vertices", name, wrong);
     };
     return fmt::format("{}; {}.", describe(comparison.subject, a), describe(comparison.reference, b));
 }

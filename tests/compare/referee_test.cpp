@@ -89,7 +89,7 @@ TEST(Referee, FindsASwappedBoundaryRule) {
     const LevelResult& level1 = comparison.levels[1];
     EXPECT_EQ(level1.classes.at({VertexClass::Kind::Corner, 0}).beyond_bound, 3U);
     EXPECT_GT(total(level1).rule_mismatches, 0U);
-    EXPECT_NE(test::notes(comparison).find("swapped is not within rounding of the exact rules"),
+    EXPECT_NE(test::notes(comparison).find("swapped is not within rounding of its exact rules"),
               std::string::npos)
         << test::notes(comparison);
 }
@@ -243,7 +243,7 @@ TEST(Referee, TellsWhoIsRight) {
     const auto comparison = judge(model_mesh("icosahedron"), subject("opensubdiv"), midpoints, {}, 1);
     expect_verdict(comparison, Verdict::Differs, 1);
     EXPECT_NE(
-        test::notes(comparison).find("opensubdiv is within rounding of the exact rules; midpoints is not"),
+        test::notes(comparison).find("opensubdiv is within rounding of its exact rules; midpoints is not"),
         std::string::npos)
         << test::notes(comparison);
     EXPECT_EQ(total(comparison.levels[1]).reference_wrong, 30U);

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Validates reports of every kind against docs/report.schema.json.
+# usage: schema_test.sh LOOPCHECK SOURCE_DIR
+set -euo pipefail
+
+loopcheck=$1 source=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# report NAME CODE ARGUMENT...: runs the program, which must exit with CODE, and keeps its JSON report.
+report() {
+    local name=$1 expected=$2 code=0
+    "$loopcheck" "${@:3}" --json "$folder/$name.json" >/dev/null 2>&1 || code=$?
+    ((code == expected)) || { echo "$name: exit code $code instead of $expected" >&2; exit 1; }
+}
+
+report identical 0 compare "$source/models/cow.obj" --levels 1 --top 3
+report differs 1 compare "$source/models/icosahedron.obj" --levels 2 --weights warren --top 3
+report unsupported 3 compare "$source/models/crease-loop.obj" --levels 1 --with openmesh
+report unreadable 2 compare "$source/models/reject/repeated-vertex.obj"
+report suite 0 suite "$source/models/chaikin-overweight.obj" "$source/models/fan-2.obj" --levels 2
+report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
+
+# The validator must be able to say no.
+sed 's/"exit_code": 0/"exit_code": 7/' "$folder/identical.json" >"$folder/bad.txt"
+check() { /usr/bin/python3 -m jsonschema --instance "$1" "$source/docs/report.schema.json"; }
+if check "$folder/bad.txt" >/dev/null 2>&1; then
+    echo "a bad report passed" >&2
+    exit 1
+fi
+for file in "$folder"/*.json; do
+    check "$file"
+    echo "valid: $(basename "$file")"
+done
