@@ -28,12 +28,18 @@ struct VertexReports {
     std::optional<PlyReport> ply;
 };
 
+std::size_t to_count(double size) {
+    return static_cast<std::size_t>(size);
+}
+
 std::optional<Comparison> compare_model(const Context& context, const Flags& flags, const std::string& path,
                                         const LoadedModel& model, const Subject& a, const Subject& b,
                                         VertexReports& reports) {
     const core::SchemeOptions options = flags.rules.for_model(model.model);
     const std::array both{&a, &b};
-    const double bytes = referee_bytes_per_vertex(both, options);
+    const double bytes = referee_bytes_per_vertex(both, options) +
+                         (flags.csv.empty() ? 0 : kCsvBytesPerVertex) +
+                         (flags.ply.empty() ? 0 : kPlyBytesPerVertex);
     if (const auto error = check_memory(model.mesh, flags.work.levels, bytes, flags.work.memory_limit())) {
         complain(context, path, *error);
         return std::nullopt;
@@ -42,6 +48,13 @@ std::optional<Comparison> compare_model(const Context& context, const Flags& fla
     progress.show(fmt::format("{}: refining {} levels", path, flags.work.levels));
     Referee referee(model.mesh, options, flags.work.levels);
     const double unit = error_unit(model.mesh.largest_coordinate(), a.precision, b.precision);
+    if (!flags.ply.empty())
+        reports.ply.emplace(flags.work.levels, to_count(level_size(model.mesh, flags.work.levels).vertices));
+    if (!flags.csv.empty()) {
+        double rows = 0;
+        for (int l = 0; l <= flags.work.levels; ++l) rows += level_size(model.mesh, l).vertices;
+        reports.csv.reserve(to_count(rows));
+    }
     VertexVisitor visit;
     if (!flags.csv.empty() || reports.ply)
         visit = [&](const VertexRecord& record) {
@@ -71,7 +84,6 @@ int run_compare(const Context& context, const Flags& flags) {
     std::vector<ModelReport> reports;
     for (const std::string& path : flags.models) {
         const auto model = load_or_complain(context, path, flags.work.triangulate);
-        if (!flags.ply.empty()) vertices.ply.emplace(flags.work.levels);
         auto comparison =
             model ? compare_model(context, flags, path, *model, *a, *b, vertices) : std::nullopt;
         if (!comparison) {

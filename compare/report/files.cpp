@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <iterator>
 #include <map>
 
 #include "compare/report/report.h"
@@ -10,6 +11,10 @@
 
 namespace loopcheck::compare {
 namespace {
+
+// Room for a line: few are longer, and then the text grows once.
+constexpr std::size_t kCsvLine = 260;
+constexpr std::size_t kPlyLine = 90;
 
 std::string csv_field(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
@@ -87,6 +92,10 @@ CsvReport::CsvReport()
           "model,level,vertex,ancestry,class,rule,a_x,a_y,a_z,b_x,b_y,b_z,error,error_in_uM,bound_use,"
           "identical\n") {}
 
+void CsvReport::reserve(std::size_t vertices) {
+    text_.reserve(text_.size() + vertices * kCsvLine);
+}
+
 void CsvReport::add(std::string_view model, const VertexRecord& r, double unit) {
     text_ += fmt::format("{},{},{},{},{},{}", csv_field(model), r.level, r.vertex, ancestry_in_words(r),
                          core::to_string(r.vertex_class), csv_field(rule_in_words(r)));
@@ -94,6 +103,10 @@ void CsvReport::add(std::string_view model, const VertexRecord& r, double unit) 
         for (int i = 0; i < 3; ++i) text_ += "," + core::shortest(p[i]);
     text_ += fmt::format(",{},{},{},{}\n", core::shortest(r.error), core::shortest(r.error / unit),
                          core::shortest(r.bound_use), r.identical ? 1 : 0);
+}
+
+PlyReport::PlyReport(int level, std::size_t vertices) : level_(level) {
+    vertices_.reserve(vertices * kPlyLine);
 }
 
 void PlyReport::add(const VertexRecord& r) {
@@ -109,8 +122,10 @@ std::string PlyReport::text(std::span<const core::Triangle> triangles, std::stri
         "y\nproperty double "
         "z\nproperty double quality\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
         comment, count_, triangles.size());
+    constexpr std::size_t kFaceLine = 28;
+    out.reserve(out.size() + vertices_.size() + triangles.size() * kFaceLine);
     out += vertices_;
-    for (const auto& [a, b, c] : triangles) out += fmt::format("3 {} {} {}\n", a, b, c);
+    for (const auto& [a, b, c] : triangles) fmt::format_to(std::back_inserter(out), "3 {} {} {}\n", a, b, c);
     return out;
 }
 

@@ -38,10 +38,16 @@ std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> sub
 /// JUnit XML: a test suite a model, a test case a comparison; what a subject does not support is skipped.
 std::string suite_as_junit(const SuiteResult& suite);
 
+/// Peak memory of the two reports below, in bytes per vertex of the last level.  A test measures them.
+inline constexpr double kCsvBytesPerVertex = 400;
+inline constexpr double kPlyBytesPerVertex = 300;
+
 /// One line a vertex: model, level, vertex, ancestry, class, rule, both positions, error.
 class CsvReport {
   public:
     CsvReport();
+    /// Makes room for so many vertices more.
+    void reserve(std::size_t vertices);
     void add(std::string_view model, const VertexRecord& record, double unit);
     const std::string& text() const { return text_; }
 
@@ -53,7 +59,7 @@ class CsvReport {
 /// units), which MeshLab, ParaView and Blender show as a scalar.  Records of other levels are ignored.
 class PlyReport {
   public:
-    explicit PlyReport(int level) : level_(level) {}
+    PlyReport(int level, std::size_t vertices);
     void add(const VertexRecord& record);
     std::string text(std::span<const core::Triangle> triangles, std::string_view comment) const;
 

@@ -105,7 +105,7 @@ TEST(PlyReport, IsAMeshWithTheErrorAtEveryVertex) {
     const auto mesh = model_mesh("icosahedron");
     core::SchemeOptions options;
     options.weights = core::Weights::Warren;
-    PlyReport ply(1);
+    PlyReport ply(1, 42);
     std::vector<VertexRecord> level1;
     Referee(mesh, options, 1)
         .judge(subject("ours"), subject("opensubdiv"), 0, [&](const VertexRecord& record) {

@@ -29,8 +29,9 @@ inline std::vector<std::string> files_in(const std::filesystem::path& folder,
 }
 
 /// Every mesh that must be accepted.
-inline std::vector<std::string> model_files() {
-    return files_in(LOOPCHECK_MODELS_DIR, {".obj"});
+inline const std::vector<std::string>& model_files() {
+    static const auto files = files_in(LOOPCHECK_MODELS_DIR, {".obj"});
+    return files;
 }
 
 /// Every file that must be refused.

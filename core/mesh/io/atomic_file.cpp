@@ -21,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Most that is read from what has no size, such as a pipe: a device may never end.
+constexpr std::size_t kMostFromPipe = std::size_t{1} << 32;
+
 /// An open file descriptor.
 class Descriptor {
   public:
@@ -132,13 +135,16 @@ Result<std::string> read_file(const fs::path& path) {
     if (!file.is_open()) return failed();
     struct stat status {};
     std::string bytes;
-    if (::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode))
-        bytes.reserve(static_cast<std::size_t>(status.st_size));
+    const bool is_plain = ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode);
+    if (is_plain) bytes.reserve(static_cast<std::size_t>(status.st_size));
     std::array<char, 1 << 16> block;
     while (true) {
         const ssize_t count = ::read(file.number(), block.data(), block.size());
         if (count == 0) return bytes;
         if (count < 0 && errno != EINTR) return failed();
+        if (!is_plain && bytes.size() > kMostFromPipe)
+            return fail(ErrorCode::TooLarge, fmt::format("The pipe or device {} gives more than {} bytes.",
+                                                         path.string(), kMostFromPipe));
         bytes.append(block.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }
 }

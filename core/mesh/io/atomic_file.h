@@ -8,7 +8,8 @@
 
 namespace loopcheck::core {
 
-/// The whole file as bytes.  Errors: CannotRead, with the system's reason.
+/// The whole file as bytes.  Errors: CannotRead, with the system's reason; TooLarge for more than 4 GiB from
+/// a pipe or device.
 Result<std::string> read_file(const std::filesystem::path& path);
 
 /// Writes `bytes` to a temporary file in the same folder, then renames it to `path`: a reader sees the old

@@ -146,6 +146,9 @@ TEST(Rows, AnOverweightChaikinCreaseIsClampedUnlessAsked) {
     const Rational s(1.2F), end = over(3, 8) + s / 8, opposite = (1 - s) / 8;
     EXPECT_EQ(edge_row(data, 0, 1, options), (Row{{0, end}, {1, end}, {2, opposite}, {6, opposite}}));
     EXPECT_LT(opposite, 0);
+    // The same where the hub is the second end of the edge.
+    EXPECT_EQ(edge_row(wheel_with({{0, 2, 1.2F}, {0, 4, 0.05F}}), 0, 2, options),
+              (Row{{2, end}, {0, end}, {1, opposite}, {3, opposite}}));
 }
 
 TEST(Rows, UnclampedSharesAreOfNoConsequenceElsewhere) {

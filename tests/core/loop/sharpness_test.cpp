@@ -30,11 +30,17 @@ TEST(Sharpness, IsZeroSemiSharpOrInfinite) {
 }
 
 TEST(UniformDecay, TakesOneALevelAndEndsAtZero) {
-    const std::pair<float, std::vector<float>> ladders[] = {
-        {0, {0}},          {0.25F, {0, 0}},      {0.5F, {0, 0}},
-        {1, {0, 0}},       {1.5F, {0.5F, 0, 0}}, {2.5F, {1.5F, 0.5F, 0}},
-        {3, {2, 1, 0, 0}}, {9.5F, {8.5F, 7.5F}}, {10, {10, 10, 10}},
-        {11, {10, 10}}};
+    const std::pair<float, std::vector<float>> ladders[] = {{0, {0}},
+                                                            {0.25F, {0, 0}},
+                                                            {0.5F, {0, 0}},
+                                                            {1, {0, 0}},
+                                                            {1.25F, {0.25F, 0}},
+                                                            {1.5F, {0.5F, 0, 0}},
+                                                            {2.5F, {1.5F, 0.5F, 0}},
+                                                            {3, {2, 1, 0, 0}},
+                                                            {9.5F, {8.5F, 7.5F}},
+                                                            {10, {10, 10, 10}},
+                                                            {11, {10, 10}}};
     for (const auto& [start, ladder] : ladders) {
         float s = start;
         for (const float next : ladder) EXPECT_EQ(s = uniform_decay(s), next) << start;
