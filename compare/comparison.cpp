@@ -204,7 +204,10 @@ int worse_exit_code(int a, int b) {
 }
 
 double error_unit(double largest_coordinate, core::Precision a, core::Precision b) {
-    return largest_coordinate * std::max(core::unit_roundoff(a), core::unit_roundoff(b));
+    const auto unit = [&](core::Precision p) {
+        return std::max(largest_coordinate * core::unit_roundoff(p), core::smallest_subnormal(p));
+    };
+    return std::max(unit(a), unit(b));
 }
 
 void ErrorStats::add(double error, bool same) {

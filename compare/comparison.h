@@ -32,7 +32,8 @@ int exit_code(Verdict verdict);
 /// The exit code of several runs: 2 before 3 before 1 before 0.
 int worse_exit_code(int a, int b);
 
-/// The unit in which errors are given, u M, with the larger u of the two precisions.
+/// The unit in which errors are given: u M, with the larger u of the two precisions, and at least its
+/// smallest subnormal number.
 double error_unit(double largest_coordinate, core::Precision a, core::Precision b);
 
 /// Errors of many vertices.  An error is the largest coordinate of |a - b|, in model units.

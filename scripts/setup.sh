@@ -48,7 +48,7 @@ set_up() {
     if [[ -t 2 ]]; then
         cmake --build "$build" --target "$1" >&2
     else
-        cmake --build "$build" --target "$1" | sed '/^ninja: no work to do\.$/d' >&2
+        cmake --build "$build" --target "$1" | sed -u '/^ninja: no work to do\.$/d' >&2
     fi
     trap - ERR
 }

@@ -1,7 +1,6 @@
 #include "core/loop/error_bound.h"
 
 #include <cmath>
-#include <limits>
 
 namespace loopcheck::core {
 namespace {
@@ -10,12 +9,11 @@ namespace {
 // that is less than 1e-9 of it for any row of fewer than 10^6 terms.
 constexpr double kRoundUp = 1 + 1e-9;
 
-double smallest_subnormal(Precision precision) {
-    return precision == Precision::Float ? static_cast<double>(std::numeric_limits<float>::denorm_min())
-                                         : std::numeric_limits<double>::denorm_min();
-}
-
 }  // namespace
+
+double smallest_subnormal(Precision precision) {
+    return precision == Precision::Float ? 0x1p-149 : 0x1p-1074;
+}
 
 double unit_roundoff(Precision precision) {
     return precision == Precision::Float ? 0x1p-24 : 0x1p-53;
@@ -34,7 +32,7 @@ Bounds control_bounds(std::span<const glm::dvec3> positions, Precision precision
 Bounds next_bounds(const Rows& rows, Weights weights, std::span<const glm::dvec3> exact_parent,
                    const Bounds& parent, Precision precision) {
     const double u = unit_roundoff(precision);
-    const double subnormal = smallest_subnormal(precision);
+    const double t = smallest_subnormal(precision);
     const auto table = weights_of<double>(rows, weights);
     Bounds out;
     out.reserve(rows.row_count());
@@ -56,8 +54,7 @@ Bounds next_bounds(const Rows& rows, Weights weights, std::span<const glm::dvec3
             }
         glm::dvec3 bound;
         for (int i = 0; i < 3; ++i)
-            bound[i] =
-                (carried[i] + g * size[i]) * kRoundUp + static_cast<double>(columns.size()) * subnormal;
+            bound[i] = (carried[i] + g * size[i]) * kRoundUp + static_cast<double>(columns.size()) * t;
         out.push_back(bound);
     }
     return out;

@@ -35,11 +35,13 @@ Result<Step> next_level(const SchemeLevel& level, const SchemeOptions& options);
 /// Refines the mesh `levels` times.  The order of vertices and faces is that of `split`.
 ///
 /// Real     float or double; float rounds the control positions first.
-/// Errors   TooLarge; NotFinite where a coordinate does not fit into a float.
+/// Errors   TooLarge; NotFinite, see `check_fits`.
 /// Error    within the bound of core/loop/error_bound.h.
 /// Laws     1. affine maps commute with refinement, up to rounding; 2. rotating the indices of a face or
 /// renumbering
-///          the vertices changes the order, not the surface; 3. every row sums to 1.
+///          the vertices changes the order, not the surface (except that the share at a semi-sharp vertex, a
+///          mean in float, is summed in ring order);
+///          3. every row sums to 1.
 template <class Real>
 Result<Refinement> refine(const TriangleMesh& mesh, const SchemeOptions& options, int levels);
 

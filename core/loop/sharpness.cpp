@@ -3,6 +3,26 @@
 #include <algorithm>
 
 namespace loopcheck::core {
+namespace {
+
+struct SemiSharp {
+    float sum = 0;
+    int count = 0;
+};
+
+// Per vertex, the semi-sharp edges around it, summed in ring order.
+std::vector<SemiSharp> semi_sharp_around(const Topology& topology, const Sharpness& sharpness) {
+    std::vector<SemiSharp> out(topology.vertex_count);
+    for (Index v = 0; v < topology.vertex_count; ++v)
+        for (const Index e : topology.ring(v))
+            if (is_semi_sharp(sharpness.edge[e])) {
+                out[v].sum += sharpness.edge[e];
+                ++out[v].count;
+            }
+    return out;
+}
+
+}  // namespace
 
 Sharpness control_sharpness(const TriangleMesh& mesh, BoundaryRule boundary) {
     const Topology& t = mesh.topology();
@@ -31,22 +51,18 @@ float chaikin_decay(float s, float semi_sharp_sum, int semi_sharp_count) {
 
 std::vector<std::array<float, 2>> half_edge_sharpness(const Topology& topology, const Sharpness& sharpness,
                                                       Creasing creasing) {
-    std::vector<std::array<float, 2>> halves(sharpness.edge.size());
+    std::vector<std::array<float, 2>> halves;
+    halves.reserve(sharpness.edge.size());
+    if (creasing == Creasing::Uniform) {
+        for (const float s : sharpness.edge) halves.push_back({uniform_decay(s), uniform_decay(s)});
+        return halves;
+    }
+    const auto semi_sharp = semi_sharp_around(topology, sharpness);
     for (Index e = 0; e < topology.edge_count(); ++e) {
-        const float s = sharpness.edge[e];
+        std::array<float, 2>& half = halves.emplace_back();
         for (int i = 0; i < 2; ++i) {
-            if (creasing == Creasing::Uniform || !is_semi_sharp(s)) {
-                halves[e][i] = uniform_decay(s);
-                continue;
-            }
-            float sum = 0;
-            int count = 0;
-            for (const Index other : topology.ring(topology.edge_ends[e][i]))
-                if (is_semi_sharp(sharpness.edge[other])) {
-                    sum += sharpness.edge[other];
-                    ++count;
-                }
-            halves[e][i] = chaikin_decay(s, sum, count);
+            const auto& [sum, count] = semi_sharp[topology.edge_ends[e][i]];
+            half[i] = chaikin_decay(sharpness.edge[e], sum, count);
         }
     }
     return halves;

@@ -55,7 +55,7 @@ struct Error {
     Place place = {};
 };
 
-/// The error as one line: "face 12: vertex 7 appears twice. [repeated-vertex]".
+/// The error as one line: "face 12: Vertex 7 appears twice. [repeated-vertex]".
 std::string to_string(const Error& error);
 
 template <class T>

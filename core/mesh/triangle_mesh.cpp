@@ -66,6 +66,9 @@ Result<std::vector<Triangle>> check_faces(const MeshData& data) {
         triangles.push_back(t);
         corner += 3;
     }
+    if (corner != data.face_corners.size())
+        return fail(ErrorCode::IndexOutOfRange, fmt::format("There are {} corners, but the faces have {}.",
+                                                            data.face_corners.size(), corner));
     return triangles;
 }
 
@@ -167,15 +170,16 @@ std::string_view name(Precision precision) {
 }
 
 std::optional<Error> check_fits(const TriangleMesh& mesh, Precision precision) {
-    if (precision == Precision::Double) return std::nullopt;
+    const double most = precision == Precision::Float ? double{std::numeric_limits<float>::max()} / 2
+                                                      : std::numeric_limits<double>::max() / 2;
     const auto positions = mesh.positions();
     for (std::size_t v = 0; v < positions.size(); ++v)
         for (int i = 0; i < 3; ++i)
-            if (!std::isfinite(static_cast<float>(positions[v][i])))
-                return Error{
-                    ErrorCode::NotFinite,
-                    fmt::format("Coordinate {} is {}, beyond the range of float.", "xyz"[i], positions[v][i]),
-                    {Place::Kind::Vertex, static_cast<Index>(v)}};
+            if (!(std::abs(positions[v][i]) <= most))
+                return Error{ErrorCode::NotFinite,
+                             fmt::format("Coordinate {} is {}: sums of it may be beyond the range of {}.",
+                                         "xyz"[i], positions[v][i], name(precision)),
+                             {Place::Kind::Vertex, static_cast<Index>(v)}};
     return std::nullopt;
 }
 

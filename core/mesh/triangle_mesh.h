@@ -59,7 +59,8 @@ class TriangleMesh {
 enum class Precision : std::uint8_t { Float, Double };
 std::string_view name(Precision precision);
 
-/// NotFinite, with the vertex, where a coordinate is beyond the range of `precision`; else nothing.
+/// NotFinite, with the vertex, where a coordinate is beyond half the range of `precision`, so that a sum of
+/// weighted coordinates could overflow; else nothing.
 std::optional<Error> check_fits(const TriangleMesh& mesh, Precision precision);
 
 /// Sharpness at and above which an edge or vertex is sharp for ever.

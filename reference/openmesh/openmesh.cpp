@@ -7,6 +7,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace {
 
 using core::Index;
 
-// LoopT sums points through the type of the normals: left at its default, float, it makes a double mesh right to 7
-// digits only.
+// LoopT sums points through the type of the normals: left at its default, float, it makes a double mesh right
+// to 7 digits only.
 template <class Real>
 struct Traits : OpenMesh::DefaultTraits {
     using Point = OpenMesh::VectorT<Real, 3>;
@@ -25,9 +26,15 @@ struct Traits : OpenMesh::DefaultTraits {
 template <class Real>
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits<Real>>;
 
-std::optional<std::string> why_unsupported(const core::TriangleMesh& mesh,
-                                           const core::SchemeOptions& options) {
+std::optional<std::string> why_unsupported(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                           core::Precision precision) {
     const auto is_sharp = [](float s) { return s > 0; };
+    const double largest = precision == core::Precision::Float ? double{std::numeric_limits<float>::max()}
+                                                               : std::numeric_limits<double>::max();
+    if (mesh.largest_coordinate() > largest / kOpenmeshHeadroom)
+        return fmt::format(
+            "OpenMesh's LoopT sums before it weighs, and overflows for a coordinate of {:.3g}.",
+            mesh.largest_coordinate());
     if (options.weights != core::Weights::Loop) return "OpenMesh's LoopT has Loop's weights only.";
     if (std::any_of(mesh.edge_sharpness().begin(), mesh.edge_sharpness().end(), is_sharp) ||
         std::any_of(mesh.vertex_sharpness().begin(), mesh.vertex_sharpness().end(), is_sharp))
@@ -134,7 +141,8 @@ std::string openmesh_version() {
 core::Result<core::Refinement> openmesh_refine(const core::TriangleMesh& mesh,
                                                const core::SchemeOptions& options, int levels,
                                                core::Precision precision) {
-    if (auto why = why_unsupported(mesh, options)) return core::fail(core::ErrorCode::Unsupported, *why);
+    if (auto why = why_unsupported(mesh, options, precision))
+        return core::fail(core::ErrorCode::Unsupported, *why);
     if (auto error = core::check_fits(mesh, precision)) return tl::unexpected(*error);
     omerr().disable();
     try {

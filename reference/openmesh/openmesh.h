@@ -13,6 +13,10 @@ namespace loopcheck::reference {
 /// LoopT reads its weights from a table of this many entries without a check.
 inline constexpr int kOpenmeshMaxValence = 49;
 
+/// LoopT sums up to kOpenmeshMaxValence neighbours, or 6 times a vertex, before it weighs: coordinates must
+/// leave room.
+inline constexpr int kOpenmeshHeadroom = 64;
+
 /// Version of the OpenMesh headers this was compiled with, "9.0".
 std::string openmesh_version();
 
@@ -23,8 +27,8 @@ std::string openmesh_version();
 /// Takes    meshes without sharpness and without isolated vertices; the boundary rule edge-only, and what
 /// refines
 ///          alike: none, and edge-and-corner on a mesh that has no boundary vertex of exactly one face.
-/// Errors   Unsupported (all else, Warren's weights, a valence above kOpenmeshMaxValence, by name), NotFinite
-///          (a coordinate beyond float), SubjectFailed.
+/// Errors   Unsupported (all else, Warren's weights, a valence above kOpenmeshMaxValence, coordinates within
+///          a factor kOpenmeshHeadroom of overflow; by name), SubjectFailed.
 core::Result<core::Refinement> openmesh_refine(const core::TriangleMesh& mesh,
                                                const core::SchemeOptions& options, int levels,
                                                core::Precision precision);

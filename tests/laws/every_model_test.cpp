@@ -23,8 +23,7 @@ int levels() {
 std::vector<std::string> model_names() {
     std::vector<std::string> names;
     const auto found = find_models(LOOPCHECK_MODELS_DIR).value();
-    for (const auto& path : found)
-        names.push_back(path.filename().string());
+    for (const auto& path : found) names.push_back(path.filename().string());
     return names;
 }
 

@@ -84,12 +84,17 @@ Result<Tag> read_arguments(std::string_view name, Words words, Spot spot) {
     return tag;
 }
 
+/// The code for a tag that names what is not there.
+ErrorCode out_of_range(std::string_view tag) {
+    return tag == "hole" ? ErrorCode::HoleOutOfRange : ErrorCode::IndexOutOfRange;
+}
+
 /// Integer i as an index.  Whether it is too large is known at the end of the file.
 Result<Index> index_of(const Tag& tag, std::size_t i) {
     const long long index = tag.ints[i];
     if (index >= 0 && index <= static_cast<long long>(kMostItems)) return static_cast<Index>(index);
     return fail_at(
-        tag.spot, ErrorCode::IndexOutOfRange,
+        tag.spot, out_of_range(tag.name),
         fmt::format("The tag {} has the index {}; tags count from 0.", in_quotes(tag.name), index));
 }
 
@@ -176,10 +181,9 @@ constexpr std::array kKnownTags{KnownTag{"crease", read_creases}, KnownTag{"corn
 /// What a tag of this name names is there.
 Result<void> check_index(std::string_view tag, Index index, std::size_t count, long long line) {
     if (static_cast<std::size_t>(index) < count) return {};
-    const bool hole = tag == "hole";
-    return fail(hole ? ErrorCode::HoleOutOfRange : ErrorCode::IndexOutOfRange,
+    return fail(out_of_range(tag),
                 fmt::format("The tag {} has the index {}, but there are {} {}, counted from 0.",
-                            in_quotes(tag), index, count, hole ? "faces" : "vertices"),
+                            in_quotes(tag), index, count, tag == "hole" ? "faces" : "vertices"),
                 {Place::Kind::Line, line});
 }
 

@@ -114,7 +114,7 @@ TEST(TriangleMesh, RefusesMissingCorners) {
 TEST(TriangleMesh, RefusesCornersThatBelongToNoFace) {
     MeshData data = tests::square();
     data.face_corners.push_back(1);
-    EXPECT_FALSE(TriangleMesh::make(data));
+    expect_refusal(data, ErrorCode::IndexOutOfRange, {}, "There are 7 corners, but the faces have 6");
 }
 
 TEST(TriangleMesh, RefusesIndicesOutOfRange) {
@@ -222,12 +222,16 @@ TEST(CheckFits, NamesTheCoordinateBeyondFloat) {
     EXPECT_TRUE(contains(error->sentence, "Coordinate y")) << error->sentence;
 }
 
-TEST(CheckFits, DrawsTheLineAtTheLargestFloat) {
+TEST(CheckFits, DrawsTheLineAtHalfTheRange) {
     MeshData data = tests::square();
-    data.positions[0].x = std::numeric_limits<float>::max();
+    data.positions[0].x = std::numeric_limits<float>::max() / 2;
     EXPECT_FALSE(check_fits(mesh_of(data), Precision::Float));
     data.positions[0].x *= 1 + 0x1p-24;
     EXPECT_TRUE(check_fits(mesh_of(data), Precision::Float));
+    data.positions[0].x = std::numeric_limits<double>::max() / 2;
+    EXPECT_FALSE(check_fits(mesh_of(data), Precision::Double));
+    data.positions[0].x *= 1 + 0x1p-52;
+    EXPECT_TRUE(check_fits(mesh_of(data), Precision::Double));
 }
 
 }  // namespace
