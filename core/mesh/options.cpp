@@ -11,11 +11,12 @@ struct Named {
     std::string_view name;
 };
 
-constexpr std::array kBoundaryRules{Named{BoundaryRule::EdgeAndCorner, "edge-and-corner"},
-                                    Named{BoundaryRule::EdgeOnly, "edge-only"},
-                                    Named{BoundaryRule::None, "none"}};
-constexpr std::array kCreasings{Named{Creasing::Uniform, "uniform"}, Named{Creasing::Chaikin, "chaikin"}};
-constexpr std::array kWeights{Named{Weights::Loop, "loop"}, Named{Weights::Warren, "warren"}};
+constexpr std::array<Named<BoundaryRule>, 3> kBoundaryRules{{{BoundaryRule::EdgeAndCorner, "edge-and-corner"},
+                                                             {BoundaryRule::EdgeOnly, "edge-only"},
+                                                             {BoundaryRule::None, "none"}}};
+constexpr std::array<Named<Creasing>, 2> kCreasings{
+    {{Creasing::Uniform, "uniform"}, {Creasing::Chaikin, "chaikin"}}};
+constexpr std::array<Named<Weights>, 2> kWeights{{{Weights::Loop, "loop"}, {Weights::Warren, "warren"}}};
 
 template <class Enum, std::size_t N>
 std::string_view name_in(const std::array<Named<Enum>, N>& table, Enum value) {
