@@ -20,7 +20,8 @@ target_compile_options(loopcheck_build INTERFACE
 set(LOOPCHECK_SANITIZE "" CACHE STRING "Sanitizers to build with, for instance address,undefined")
 if(LOOPCHECK_SANITIZE)
     target_compile_options(loopcheck_build INTERFACE
-        -fsanitize=${LOOPCHECK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+        -fsanitize=${LOOPCHECK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+        -Wno-maybe-uninitialized)  # the checks confuse the warning
     target_link_options(loopcheck_build INTERFACE -fsanitize=${LOOPCHECK_SANITIZE})
 endif()
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "compare/memory.h"
 #include "compare/referee.h"
@@ -35,6 +36,23 @@ std::vector<Comparison> run_case(const Case& one, std::span<const Subject> subje
         out.push_back(referee.judge(*ours, peer));
     }
     return out;
+}
+
+std::vector<std::filesystem::path> without_repetition(std::span<const std::filesystem::path> paths) {
+    std::vector<std::filesystem::path> out;
+    std::set<std::filesystem::path> seen;
+    for (const auto& path : paths) {
+        std::error_code ignored;
+        if (seen.insert(std::filesystem::weakly_canonical(path, ignored)).second) out.push_back(path);
+    }
+    return out;
+}
+
+// The file name of a model, or its path where another model has the same file name.
+std::string name_among(const std::vector<std::filesystem::path>& models, const std::filesystem::path& model) {
+    const auto same = std::count_if(models.begin(), models.end(),
+                                    [&](const auto& other) { return other.filename() == model.filename(); });
+    return same == 1 ? model.filename().string() : model.string();
 }
 
 double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& options) {
@@ -70,8 +88,9 @@ core::Result<std::vector<std::filesystem::path>> find_models(const std::filesyst
     return out;
 }
 
-SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<const Subject> subjects,
+SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<const Subject> subjects,
                       const SuiteOptions& options, const SuiteProgress& progress) {
+    const auto models = without_repetition(paths);
     SuiteResult result;
     result.models = models.size();
     result.levels = options.levels;
@@ -79,6 +98,7 @@ SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<c
     std::vector<std::unique_ptr<LoadedModel>> loaded;
     std::vector<Case> cases;
     for (const auto& path : models) {
+        const std::string name = name_among(models, path);
         auto model = load_model(path, options.triangulate);
         std::optional<core::Error> error;
         if (!model)
@@ -89,13 +109,13 @@ SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<c
                 bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop)),
                 options.memory_limit / options.jobs);
         if (error) {
-            result.unreadable.push_back({path.filename().string(), *error});
+            result.unreadable.push_back({name, *error});
             continue;
         }
         loaded.push_back(std::make_unique<LoadedModel>(std::move(*model)));
         for (const auto boundary : kBoundaryRules)
             cases.push_back(
-                {path.filename().string(), loaded.back().get(),
+                {name, loaded.back().get(),
                  options_for_model(loaded.back()->model, boundary, std::nullopt, core::Weights::Loop)});
     }
 

@@ -14,7 +14,7 @@ namespace loopcheck::compare {
 
 /// One comparison of a suite.
 struct SuiteRow {
-    std::string model;  ///< file name
+    std::string model;  ///< file name; the path where two models have the same
     Comparison comparison;
 };
 
@@ -53,7 +53,7 @@ using SuiteProgress = std::function<void(std::size_t done, std::size_t of, const
 
 /// Compares ours with every peer of the same precision on every model, under every boundary option and the
 /// creasing that the model declares.
-SuiteResult run_suite(std::span<const std::filesystem::path> models, std::span<const Subject> subjects,
+SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<const Subject> subjects,
                       const SuiteOptions& options, const SuiteProgress& progress);
 
 }  // namespace loopcheck::compare

@@ -50,6 +50,12 @@ std::string who_is_right(const Comparison& comparison) {
 
 }  // namespace
 
+std::string printable(std::string name) {
+    for (char& c : name)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    return name;
+}
+
 std::string in_units(double error, double unit) {
     return fmt::format("{:.3g} u M", error / unit);
 }

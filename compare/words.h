@@ -25,6 +25,9 @@ std::string ancestry_in_words(const VertexRecord& record);
 /// The rule that made it: "vertex point, crease".
 std::string rule_in_words(const VertexRecord& record);
 
+/// A name from outside for a terminal: control characters become '?'.
+std::string printable(std::string name);
+
 /// An error in u M, or in model units where M is not known: "0.42 u M".
 std::string in_units(double error, double unit);
 

@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <ostream>
 
 #include "compare/cli/command.h"
 #include "compare/memory.h"
+#include "compare/words.h"
 #include "core/mesh/io/atomic_file.h"
+#include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
 
@@ -36,7 +41,11 @@ void WorkFlags::add_to(CLI::App& command) {
         ->capture_default_str()
         ->check(CLI::Range(0, 30));
     command.add_option("--memory", memory_gib, "GiB that may be used; default: what is available")
-        ->check(CLI::PositiveNumber);
+        ->check([](const std::string& text) {
+            const auto gib = core::parse_double(text);
+            return gib && *gib > 0 && std::isfinite(*gib) ? std::string()
+                                                          : text + " is not a positive number of GiB";
+        });
     command.add_flag("--triangulate", triangulate, "split polygons by a fan from their first corner");
 }
 
@@ -67,7 +76,27 @@ std::optional<LoadedModel> load_or_complain(const Context& context, const std::s
 }
 
 void complain(const Context& context, const std::string& path, const core::Error& error) {
-    context.err << fmt::format("{}: {}\n", path, core::to_string(error));
+    context.err << fmt::format("{}: {}\n", printable(path), printable(core::to_string(error)));
+}
+
+bool outputs_clash(const Context& context, std::span<const std::string> outputs,
+                   std::span<const std::string> inputs) {
+    const auto canonical = [](const std::string& path) {
+        std::error_code ignored;
+        return std::filesystem::weakly_canonical(path, ignored);
+    };
+    std::vector<std::filesystem::path> taken;
+    for (const std::string& input : inputs) taken.push_back(canonical(input));
+    for (const std::string& output : outputs) {
+        if (output.empty() || output.starts_with("/dev/")) continue;
+        if (std::find(taken.begin(), taken.end(), canonical(output)) != taken.end()) {
+            context.err << fmt::format("{}: is read or written already; nothing was done.\n",
+                                       printable(output));
+            return true;
+        }
+        taken.push_back(canonical(output));
+    }
+    return false;
 }
 
 bool write_or_complain(const Context& context, const std::string& path, std::string_view bytes) {

@@ -63,6 +63,10 @@ std::optional<LoadedModel> load_or_complain(const Context& context, const std::s
 /// Prints an error about a file, as "cow.obj: line 3: sentence [code]".
 void complain(const Context& context, const std::string& path, const core::Error& error);
 
+/// True, with a message, where two reports would go to one file, or one over a model that is read.
+bool outputs_clash(const Context& context, std::span<const std::string> outputs,
+                   std::span<const std::string> inputs);
+
 /// Writes a report file, or prints why it cannot be written.
 bool write_or_complain(const Context& context, const std::string& path, std::string_view bytes);
 

@@ -79,6 +79,12 @@ int run_compare(const Context& context, const Flags& flags) {
         context.err << "--ply takes one model.\n";
         return kExitUsage;
     }
+    if (flags.rules.weights != "loop" && !a->has_weight_option && !b->has_weight_option) {
+        context.err << fmt::format("{} and {} have Loop's weights only.\n", a->name, b->name);
+        return kExitFailed;
+    }
+    const std::array outputs{flags.json, flags.csv, flags.ply};
+    if (outputs_clash(context, outputs, flags.models)) return kExitUsage;
     int code = 0;
     VertexReports vertices;
     std::vector<ModelReport> reports;

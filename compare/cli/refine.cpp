@@ -41,8 +41,10 @@ core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& 
     const auto levels = static_cast<int>(refinement.levels.size()) - 1;
     const core::RefinedLevel& last = refinement.levels.back();
     core::Model out;
-    out.boundary = options.boundary;
-    out.creasing = options.creasing;
+    const auto& faces = mesh.topology().edge_faces;
+    if (std::any_of(faces.begin(), faces.end(), [](const auto& pair) { return pair[1] == core::kNone; }))
+        out.boundary = options.boundary;
+    if (options.creasing == core::Creasing::Chaikin) out.creasing = options.creasing;
     out.data.positions = last.positions;
     for (const core::Triangle& triangle : last.triangles) out.data.add_face(triangle);
     add_tags(out, mesh, options, levels);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 
 #include "compare/cli/command.h"
@@ -19,6 +20,8 @@ struct Flags {
 };
 
 int run_suite_command(const Context& context, const Flags& flags) {
+    const std::array outputs{flags.json, flags.junit};
+    if (outputs_clash(context, outputs, flags.paths)) return kExitUsage;
     std::vector<std::filesystem::path> models;
     for (const std::string& path : flags.paths) {
         if (!std::filesystem::exists(path)) {
@@ -37,7 +40,7 @@ int run_suite_command(const Context& context, const Flags& flags) {
         models.insert(models.end(), found->begin(), found->end());
     }
     if (models.empty()) {
-        context.err << "No models (OBJ, OFF, PLY or STL files) were found.\n";
+        context.err << "There are no OBJ, OFF, PLY or STL files; subfolders are not searched.\n";
         return kExitUsage;
     }
     SuiteResult result;

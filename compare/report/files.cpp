@@ -4,6 +4,7 @@
 
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "compare/report/report.h"
 #include "compare/words.h"
@@ -23,10 +24,14 @@ std::string csv_field(std::string_view text) {
     return out + "\"";
 }
 
-// Escapes for XML; characters that XML 1.0 cannot hold become '?'.
-std::string xml(std::string_view text) {
+// Escapes for XML.  Characters that XML 1.0 cannot hold become '?', bytes that are not UTF-8 the replacement
+// character.
+std::string xml(const std::string& text) {
+    using nlohmann::json;
+    const auto utf8 =
+        json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
     std::string out;
-    for (const char c : text) switch (c) {
+    for (const char c : utf8) switch (c) {
             case '&':
                 out += "&amp;";
                 break;
@@ -77,7 +82,7 @@ std::string suite_as_junit(const SuiteResult& suite) {
         out += fmt::format(
             "  <testsuite name=\"{0}\" tests=\"1\" errors=\"1\">\n    <testcase classname=\"{0}\" "
             "name=\"read\"><error "
-            "message=\"not readable\">{1}</error></testcase>\n  </testsuite>\n",
+            "message=\"not compared\">{1}</error></testcase>\n  </testsuite>\n",
             xml(bad.model), xml(core::to_string(bad.error)));
     for (const auto& [model, rows] : by_model) {
         out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\">\n", xml(model), rows.size());

@@ -131,8 +131,8 @@ std::string details(const SuiteResult& suite, Verdict verdict, const std::string
         const bool same =
             previous != nullptr && previous->model == row.model && previous->comparison.notes == c.notes;
         if (previous != nullptr && !same) out += notes_of(*previous);
-        out += fmt::format("  {} ({}): {} against {}\n", row.model, rules_in_words(c.options), c.subject,
-                           c.reference);
+        out += fmt::format("  {} ({}): {} against {}\n", printable(row.model), rules_in_words(c.options),
+                           c.subject, c.reference);
         previous = &row;
     }
     return previous == nullptr ? out : fmt::format("{}\n{}{}\n", heading, out, notes_of(*previous));
@@ -151,7 +151,7 @@ ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Compa
 std::string comparison_as_text(const ModelReport& report, std::span<const Subject> subjects) {
     const Comparison& c = report.comparison;
     std::string out =
-        fmt::format("{}: {} vertices, {} faces, {}\n", report.model, report.vertices, report.faces,
+        fmt::format("{}: {} vertices, {} faces, {}\n", printable(report.model), report.vertices, report.faces,
                     report.boundary_edges == 0 ? std::string("closed")
                                                : fmt::format("{} boundary edges", report.boundary_edges));
     out += fmt::format("a = {}, b = {}\n", subject_in_words(c.subject, subjects),
@@ -190,15 +190,15 @@ std::string suite_summary(const SuiteResult& suite) {
     return fmt::format(
         "{}: {} comparisons of {} models, levels 0 to {}: {}{}", suite.exit_code() == 0 ? "agree" : "FAIL",
         suite.rows.size(), suite.models, suite.levels, fmt::join(parts, ", "),
-        suite.unreadable.empty() ? "" : fmt::format(", {} models not readable", suite.unreadable.size()));
+        suite.unreadable.empty() ? "" : fmt::format(", {} models not compared", suite.unreadable.size()));
 }
 
 std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> subjects) {
     std::string out;
     if (!suite.unreadable.empty()) {
-        out += "not readable\n";
+        out += "not compared\n";
         for (const UnreadableModel& bad : suite.unreadable)
-            out += fmt::format("  {}: {}\n", bad.model, core::to_string(bad.error));
+            out += fmt::format("  {}: {}\n", printable(bad.model), core::to_string(bad.error));
         out += "\n";
     }
     out += details(suite, Verdict::Failed, "failed") + details(suite, Verdict::Differs, "differs") +
@@ -217,7 +217,7 @@ std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> sub
         rows[0].push_back(subject == nullptr ? peer : fmt::format("{} {}", peer, subject->version));
     }
     for (const auto& [model, by_peer] : by_model) {
-        rows.push_back({model});
+        rows.push_back({printable(model)});
         for (const std::string& peer : peers) rows.back().push_back(cell(by_peer.at(peer)));
     }
     if (!by_model.empty()) out += table(rows) + "\n";

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -81,6 +85,10 @@ TEST(CommandLine, ExitsWithThreeWhereASubjectFailsOrCannotDoIt) {
                         {test::subject("ours"), test::cheat("broken", [](auto& r) { r.levels.pop_back(); })})
                   .code,
               3);
+    EXPECT_EQ(loopcheck({"compare", model_path("cow"), "--subject", "opensubdiv", "--with", "openmesh",
+                         "--weights", "warren"})
+                  .code,
+              3);
     EXPECT_EQ(loopcheck({"refine", model_path("cow"), "-o", "x.obj", "--scheme", "opensubdiv", "--weights",
                          "warren"})
                   .code,
@@ -140,6 +148,67 @@ TEST(CommandLine, WritesTheReportsItIsAskedFor) {
               0);
     EXPECT_EQ(nlohmann::json::parse(core::read_file(at("s.json")).value()).at("command"), "suite");
     EXPECT_SAYS(core::read_file(at("s.xml")).value(), "<testsuite name=\"fan-2.obj\"");
+}
+
+TEST(CommandLine, NeverWritesOverAModelOrAnotherReport) {
+    const tests::TemporaryFolder folder;
+    const std::string model = (folder / "cow.obj").string(), report = (folder / "r").string();
+    std::filesystem::copy_file(model_path("cow"), model);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"compare", model, "--levels", "1", "--json", model},
+          {"compare", model, "--levels", "1", "--json", report, "--csv", (folder / "." / "r").string()},
+          {"suite", model, "--levels", "1", "--json", report, "--junit", report}}) {
+        const auto r = loopcheck(arguments);
+        EXPECT_EQ(r.code, 2) << r.out;
+        EXPECT_SAYS(r.err, "is read or written already");
+    }
+    EXPECT_EQ(core::read_file(model).value(), core::read_file(model_path("cow")).value());
+    EXPECT_FALSE(std::filesystem::exists(report));
+}
+
+TEST(CommandLine, WarnsOnlyOfWhatIsLost) {
+    const tests::TemporaryFolder folder;
+    const auto refine = [&](const char* model) {
+        return loopcheck({"refine", model_path(model), "-o", (folder / "x.ply").string(), "--levels", "1"})
+            .err;
+    };
+    EXPECT_EQ(refine("cow"), "");
+    EXPECT_SAYS(refine("fan-3"), "boundary");
+    EXPECT_SAYS(refine("crease-loop"), "crease");
+}
+
+TEST(CommandLine, PrintsNoControlCharactersOfAFileName) {
+    const auto r = loopcheck({"compare", "no\x1b[31m\n.obj"});
+    EXPECT_EQ(r.code, 2);
+    EXPECT_EQ(r.err.find('\x1b'), std::string::npos);
+}
+
+// The exit code of the program run by a shell, which can also close or fill its output.
+int shell(const std::string& arguments) {
+    const int status = std::system((std::string(LOOPCHECK_PROGRAM " ") + arguments).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Program, FailsWhereItsOutputIsLost) {
+    EXPECT_EQ(shell("subjects >/dev/null"), 0);
+    EXPECT_EQ(shell("subjects >/dev/full 2>/dev/null"), 2);
+}
+
+TEST(Program, LeavesNothingBehindWhenItIsKilled) {
+    const tests::TemporaryFolder folder;
+    const std::string out = (folder / "x.obj").string();
+    // More than a file may have: the write fails, with a sentence, and there is no file.
+    EXPECT_EQ(shell("refine " + model_path("cow") + " -o " + out + " --levels 1 >/dev/null"), 0);
+    std::filesystem::remove(out);
+    const int status = std::system(("ulimit -f 100; " LOOPCHECK_PROGRAM " refine " + model_path("cow") +
+                                    " -o " + out + " --levels 4 >/dev/null 2>&1")
+                                       .c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    std::system(("timeout -s KILL 0.4 " LOOPCHECK_PROGRAM " refine " + model_path("cow") + " -o " + out +
+                 " --levels 6 >/dev/null 2>&1")
+                    .c_str());
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) EXPECT_EQ(entry.path(), out);
 }
 
 TEST(CommandLine, TriangulatesWhenAskedAndSaysSo) {

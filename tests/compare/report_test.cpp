@@ -136,6 +136,8 @@ TEST(JunitReport, EscapesNamesAndCountsOutcomes) {
     const auto xml = suite_as_junit(suite);
     EXPECT_EQ(xml.find("<script>"), std::string::npos) << xml;
     EXPECT_NE(xml.find("&lt;script&gt;.obj"), std::string::npos) << xml;
+    suite.rows[0].model = "\xff.obj";
+    EXPECT_NE(suite_as_junit(suite).find("\xef\xbf\xbd.obj"), std::string::npos) << "not UTF-8";
     EXPECT_NE(xml.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos) << xml;
     EXPECT_NE(xml.find("tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"1\""), std::string::npos) << xml;
 }

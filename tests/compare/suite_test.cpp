@@ -6,6 +6,7 @@
 
 #include "compare/report/report.h"
 #include "tests/compare/support.h"
+#include "tests/support/temporary_folder.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -79,6 +80,20 @@ TEST(Suite, GoesOnAfterAModelThatCannotBeRead) {
     EXPECT_EQ(result.unreadable[0].error.place.kind, core::Place::Kind::Line);
     EXPECT_EQ(result.count(Verdict::Identical), 6U);
     EXPECT_EQ(result.exit_code(), 2);
+}
+
+TEST(Suite, TellsModelsOfOneNameApartAndCountsAFileOnce) {
+    const tests::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a");
+    std::filesystem::copy_file(model_path("cow"), folder / "a" / "x.obj");
+    std::filesystem::copy_file(model_path("fan-1"), folder / "x.obj");
+    const auto subjects = built_in_subjects();
+    const auto result = run(
+        {(folder / "x.obj").string(), (folder / "a" / "x.obj").string(), (folder / "." / "x.obj").string()},
+        subjects);
+    EXPECT_EQ(result.models, 2U);
+    EXPECT_EQ(result.rows.front().model, (folder / "x.obj").string());
+    EXPECT_EQ(result.rows.back().model, (folder / "a" / "x.obj").string());
 }
 
 TEST(Suite, RefusesAModelThatDoesNotFit) {

@@ -100,30 +100,51 @@ fs::path temporary_name(const fs::path& folder) {
     return folder / fmt::format(".loopcheck-{}-{}.tmp", ::getpid(), calls++);
 }
 
-/// Makes a new file in `folder`, with the permissions that the umask leaves; `path` becomes its name.  What a
-/// process of the same number once left behind is passed over.
-int create_temporary(const fs::path& folder, fs::path& path) {
+/// Calls make(name) with temporary names in `folder` until it succeeds or fails for another reason than that
+/// the name is taken, by what a process of the same number once left behind; the result of the last call.
+template <class Make>
+int with_temporary_name(const fs::path& folder, fs::path& name, Make make) {
     constexpr int kMostTries = 1000;
-    int number = -1;
-    for (int tries = 0; tries < kMostTries && number < 0; ++tries) {
-        path = temporary_name(folder);
-        number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (number < 0 && errno != EEXIST) break;
+    int result = -1;
+    for (int tries = 0; tries < kMostTries && result < 0; ++tries) {
+        name = temporary_name(folder);
+        result = make(name.c_str());
+        if (result < 0 && errno != EEXIST) break;
     }
-    return number;
+    return result;
+}
+
+/// A new file in `folder`, with the permissions that the umask leaves.  It has no name where the file system
+/// can do that, so that nothing stays behind when the process is killed; else `name` becomes its name.
+int create_temporary(const fs::path& folder, fs::path& name) {
+    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (nameless >= 0) return nameless;
+    return with_temporary_name(folder, name, [](const char* path) {
+        return ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    });
+}
+
+/// Gives a file without a name the name that it is renamed from.
+bool give_name(const Descriptor& file, const fs::path& folder, fs::path& name) {
+    if (!name.empty()) return true;
+    const std::string itself = fmt::format("/proc/self/fd/{}", file.number());
+    return with_temporary_name(folder, name, [&](const char* path) {
+               return ::linkat(AT_FDCWD, itself.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW);
+           }) == 0;
 }
 
 /// Writes a temporary file in the folder of `path` and renames it to `path`.  `mode` is that of the file it
 /// replaces; a new file gets what the umask leaves.
 Result<void> write_and_rename(const fs::path& path, std::string_view bytes, std::optional<mode_t> mode) {
-    fs::path temporary;
-    Descriptor file(create_temporary(path.parent_path(), temporary));
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    fs::path name;
+    Descriptor file(create_temporary(folder, name));
     if (!file.is_open()) return fail_to_write(path, errno);
-    if (write_all(file, bytes) && (!mode || ::fchmod(file.number(), *mode) == 0) && file.close() &&
-        ::rename(temporary.c_str(), path.c_str()) == 0)
+    if (write_all(file, bytes) && (!mode || ::fchmod(file.number(), *mode) == 0) &&
+        give_name(file, folder, name) && file.close() && ::rename(name.c_str(), path.c_str()) == 0)
         return {};
     const int reason = errno;
-    ::unlink(temporary.c_str());
+    if (!name.empty()) ::unlink(name.c_str());
     return fail_to_write(path, reason);
 }
 
