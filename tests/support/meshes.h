@@ -17,7 +17,7 @@ using Triangles = std::vector<core::Triangle>;
 inline Positions scattered(int count) {
     Positions out;
     for (int i = 0; i < count; ++i)
-        out.push_back({std::cos(1.7 * i), std::sin(2.3 * i + 1), std::cos(i * i)});
+        out.push_back({std::cos(1.7 * i), std::sin(2.3 * i + 1), std::cos(1.0 * i * i)});
     return out;
 }
 
