@@ -44,10 +44,13 @@ inline bool is_rational_loop_weight(int n) {
 ///     b(n) = (5/8 - (3/8 + cos(2 pi / n)/4)^2) / n
 ///
 /// Source  [Loop87].  Warren's simplification is `warren_weight`; the two agree only at n = 3 and n = 6.
-/// Range   n >= 2; for `Rational` the n of `is_rational_loop_weight`.  b(3) = 3/16, b(4) = 31/256, b(6) =
-/// 1/16. Error   at most kLoopWeightUlps units of roundoff for n <= 1000; exact for n = 6 and for `Rational`.
 ///
-/// In float and double the operations and their order are OpenSubdiv's (float: rounded once, from double).
+/// Range   n >= 2; for `Rational` the n of `is_rational_loop_weight`.
+///
+/// Error   at most kLoopWeightUlps units of roundoff; exact for n = 6 and for `Rational`.
+///
+/// b(3) = 3/16, b(4) = 31/256 and b(6) = 1/16 exactly.  In float and double the operations and their order
+/// are OpenSubdiv's (float: rounded once, from double).
 template <class Scalar>
 Scalar loop_weight(int n) {
     if constexpr (std::is_same_v<Scalar, Rational>) {
