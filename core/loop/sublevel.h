@@ -1,0 +1,25 @@
+// A part of a level that refines like the whole.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/loop/refine.h"
+
+namespace loopcheck::core {
+
+/// Some faces of a level, with vertices, edges and faces numbered anew.
+///
+/// The kept vertices have all their faces here, and so their whole rings in the same order: their own rows,
+/// those of the edges at them and the sharpness of both are those of the whole level.  All other vertices
+/// have an empty ring and are pinned: what is computed for them, or for edges between them, is meaningless.
+struct SubLevel {
+    SchemeLevel level;
+    std::vector<Index> vertices;  ///< per vertex of `level`, its number in the whole
+    std::vector<Index> kept;      ///< the kept vertices, as numbers of `level`, in the order asked for
+};
+
+/// The faces around the given vertices.
+SubLevel sublevel_around(const Topology& topology, const Sharpness& sharpness, std::span<const Index> kept);
+
+}  // namespace loopcheck::core
