@@ -80,11 +80,11 @@ std::vector<std::size_t> by_face(std::span<const core::SurfaceLocation> location
 }
 
 std::optional<core::Error> check_settings(const SurfaceSettings& settings) {
-    if (settings.smooth_level >= 0 && settings.smooth_level <= settings.sharp_level &&
+    if (settings.smooth_level >= 1 && settings.smooth_level <= settings.sharp_level &&
         settings.sharp_level <= kOpensubdivMaxSurfaceLevel)
         return std::nullopt;
     return core::Error{core::ErrorCode::Unsupported,
-                       fmt::format("The levels of OpenSubdiv's surface are 0 <= smooth <= sharp <= {}; "
+                       fmt::format("The levels of OpenSubdiv's surface are 1 <= smooth <= sharp <= {}; "
                                    "asked for were smooth {} and sharp {}.",
                                    kOpensubdivMaxSurfaceLevel, settings.smooth_level, settings.sharp_level)};
 }

@@ -37,8 +37,9 @@ enum class PatchSharpness : std::uint8_t {
 ///                   useInfSharpPatch; PatchTableFactory::Options: maxIsolationLevel = sharp_level,
 ///                   useInfSharpPatch, generateLegacySharpCornerPatches, in double
 ///
-/// Range   0 <= smooth_level <= sharp_level <= kOpensubdivMaxSurfaceLevel.  OpenSubdiv itself takes the
-///         smaller of the two where smooth is above sharp, keeps the last four bits, and crashes at 15.
+/// Range   1 <= smooth_level <= sharp_level <= kOpensubdivMaxSurfaceLevel.  At 0, OpenSubdiv's Gregory
+///         patches next to sharpness are made of uninitialised memory; where smooth is above sharp it takes
+///         sharp for both; of a level it keeps the last four bits, and at 15 it crashes.
 struct SurfaceSettings {
     SurfaceMethod method = SurfaceMethod::Bfr;
     /// For irregular vertices without semi-sharpness; unless `sharpness` is Default in a PatchTable, also
