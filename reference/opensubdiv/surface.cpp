@@ -19,42 +19,59 @@ namespace Bfr = OpenSubdiv::Bfr;
 using core::Index;
 using core::SurfaceRows;
 
-using Weights = std::array<double, core::kDerivatives>;
 using Surfaces = std::vector<std::optional<SurfaceRows>>;
 using StencilTable = Far::StencilTableReal<double>;
 
-// Adds up rows over the control vertices.  What it keeps between rows is as long as the mesh, what it does
-// for a row only as long as the row.
+// Some rows over the control vertices, with the same columns.
+template <int kRows>
+using Weights = std::array<double, kRows>;
+template <int kRows>
+struct Rows {
+    std::vector<Index> columns;
+    std::vector<Weights<kRows>> weights;  // one a column
+};
+
+// Adds up such rows.  What it keeps between sums is as long as the mesh, what it does for a sum only as long
+// as the sum.
+template <int kRows>
 class RowSum {
   public:
-    explicit RowSum(Index vertex_count) : sums_(vertex_count, Weights{}), seen_(vertex_count, 0) {}
+    explicit RowSum(Index vertex_count) : sums_(vertex_count), seen_(vertex_count, 0) {}
 
-    void add(Index column, const Weights& weights, double scale = 1) {
+    void add(Index column, const Weights<kRows>& weights, double scale = 1) {
         if (!seen_[column]) columns_.push_back(column);
         seen_[column] = 1;
-        for (int d = 0; d < core::kDerivatives; ++d) sums_[column][d] += scale * weights[d];
+        for (int d = 0; d < kRows; ++d) sums_[column][d] += scale * weights[d];
     }
 
-    // The sum so far; the next one starts from zero.
-    SurfaceRows take() {
+    // The sum so far, with ascending columns; the next one starts from zero.
+    Rows<kRows> take() {
         std::sort(columns_.begin(), columns_.end());
-        SurfaceRows out;
-        for (auto& row : out.weights) row.reserve(columns_.size());
-        for (const Index column : columns_) {
-            for (int d = 0; d < core::kDerivatives; ++d) out.weights[d].push_back(sums_[column][d]);
+        Rows<kRows> out{std::move(columns_), {}};
+        columns_.clear();
+        out.weights.reserve(out.columns.size());
+        for (const Index column : out.columns) {
+            out.weights.push_back(sums_[column]);
             sums_[column] = {};
             seen_[column] = 0;
         }
-        out.columns = std::move(columns_);
-        columns_.clear();
         return out;
     }
 
   private:
-    std::vector<Weights> sums_;
+    std::vector<Weights<kRows>> sums_;
     std::vector<std::uint8_t> seen_;
     std::vector<Index> columns_;
 };
+
+SurfaceRows to_surface_rows(Rows<core::kDerivatives> rows) {
+    SurfaceRows out{std::move(rows.columns), {}};
+    for (int d = 0; d < core::kDerivatives; ++d) {
+        out.weights[d].reserve(rows.weights.size());
+        for (const auto& weights : rows.weights) out.weights[d].push_back(weights[d]);
+    }
+    return out;
+}
 
 // Room for the weights of the points of a patch, a row a derivative.
 struct PointWeights {
@@ -63,8 +80,8 @@ struct PointWeights {
     explicit PointWeights(int count) {
         for (auto& row : rows) row.resize(count);
     }
-    Weights at(int i) const {
-        Weights out;
+    Weights<core::kDerivatives> at(int i) const {
+        Weights<core::kDerivatives> out;
         for (int d = 0; d < core::kDerivatives; ++d) out[d] = rows[d][i];
         return out;
     }
@@ -121,7 +138,7 @@ core::Result<Surfaces> evaluate_bfr(const Far::TopologyRefiner& base, const Surf
     const Bfr::RefinerSurfaceFactory<> factory(base, options);
 
     Surfaces out(locations.size());
-    RowSum sum(base.GetLevel(0).GetNumVertices());
+    RowSum<core::kDerivatives> sum(base.GetLevel(0).GetNumVertices());
     Bfr::Surface<double> surface;
     std::vector<Index> points;
     Index face = core::kNone;
@@ -140,7 +157,7 @@ core::Result<Surfaces> evaluate_bfr(const Far::TopologyRefiner& base, const Surf
         surface.EvaluateStencil(uv, w.rows[0].data(), w.rows[1].data(), w.rows[2].data(), w.rows[3].data(),
                                 w.rows[4].data(), w.rows[5].data());
         for (std::size_t j = 0; j < points.size(); ++j) sum.add(points[j], w.at(static_cast<int>(j)));
-        out[i] = sum.take();
+        out[i] = to_surface_rows(sum.take());
     }
     return out;
 }
@@ -168,19 +185,57 @@ Far::PatchTableFactory::Options patch_options(const SurfaceSettings& settings) {
     return out;
 }
 
-// Every point a patch may name, over the control vertices: these, the refined ones, the end caps' own.
-std::unique_ptr<const StencilTable> point_stencils(const Far::TopologyRefiner& refiner,
-                                                   const Far::PatchTable& patches) {
-    using StencilFactory = Far::StencilTableFactoryReal<double>;
-    StencilFactory::Options options;
-    options.generateControlVerts = true;
-    options.generateOffsets = true;
-    std::unique_ptr<const StencilTable> refined(StencilFactory::Create(refiner, options));
-    const StencilTable* local = patches.GetLocalPointStencilTable<double>();
-    if (!refined || !local || local->GetNumStencils() == 0) return refined;
-    return std::unique_ptr<const StencilTable>(
-        StencilFactory::AppendLocalPointStencilTable(refiner, refined.get(), local));
-}
+// The points that patches name, over the control vertices: first these and the refined ones, whose stencils
+// are so already; then those of the end caps, whose stencils are over the former.  The latter are composed
+// when they are needed: OpenSubdiv composes all, in a time that grows with the cube of the valence.
+class PatchPoints {
+  public:
+    PatchPoints(const Far::TopologyRefiner& refiner, const Far::PatchTable& patches)
+        : refined_(make_stencils(refiner)),
+          local_(patches.GetLocalPointStencilTable<double>()),
+          rows_(patches.GetNumLocalPoints()),
+          sum_(refiner.GetLevel(0).GetNumVertices()) {}
+
+    void add(Index point, const Weights<core::kDerivatives>& weights, RowSum<core::kDerivatives>& to) {
+        if (point < refined_->GetNumStencils()) {
+            const auto stencil = refined_->GetStencil(point);
+            for (int i = 0; i < stencil.GetSize(); ++i)
+                to.add(stencil.GetVertexIndices()[i], weights, stencil.GetWeights()[i]);
+        } else {
+            const Rows<1>& row = local(point - refined_->GetNumStencils());
+            for (std::size_t i = 0; i < row.columns.size(); ++i)
+                to.add(row.columns[i], weights, row.weights[i][0]);
+        }
+    }
+
+  private:
+    static std::unique_ptr<const StencilTable> make_stencils(const Far::TopologyRefiner& refiner) {
+        using StencilFactory = Far::StencilTableFactoryReal<double>;
+        StencilFactory::Options options;
+        options.generateControlVerts = true;
+        options.generateOffsets = true;
+        return std::unique_ptr<const StencilTable>(StencilFactory::Create(refiner, options));
+    }
+
+    const Rows<1>& local(Index point) {
+        auto& row = rows_[point];
+        if (!row) {
+            const auto outer = local_->GetStencil(point);
+            for (int i = 0; i < outer.GetSize(); ++i) {
+                const auto inner = refined_->GetStencil(outer.GetVertexIndices()[i]);
+                for (int j = 0; j < inner.GetSize(); ++j)
+                    sum_.add(inner.GetVertexIndices()[j], {inner.GetWeights()[j]}, outer.GetWeights()[i]);
+            }
+            row = sum_.take();
+        }
+        return *row;
+    }
+
+    std::unique_ptr<const StencilTable> refined_;
+    const StencilTable* local_;
+    std::vector<std::optional<Rows<1>>> rows_;
+    RowSum<1> sum_;
+};
 
 core::Result<Surfaces> evaluate_patches(const Far::TopologyRefiner& base, const SurfaceSettings& settings,
                                         std::span<const core::SurfaceLocation> locations) {
@@ -192,12 +247,12 @@ core::Result<Surfaces> evaluate_patches(const Far::TopologyRefiner& base, const 
     refiner->RefineAdaptive(adaptive);
     const std::unique_ptr<const Far::PatchTable> patches(Far::PatchTableFactory::Create(*refiner, options));
     if (!patches) return failed(caught_messages());
-    const auto stencils = point_stencils(*refiner, *patches);
-    if (!stencils) return failed(caught_messages());
+    if (!caught_messages().empty()) return failed(caught_messages());
 
+    PatchPoints patch_points(*refiner, *patches);
     const Far::PatchMap map(*patches);
     Surfaces out(locations.size());
-    RowSum sum(base.GetLevel(0).GetNumVertices());
+    RowSum<core::kDerivatives> sum(base.GetLevel(0).GetNumVertices());
     for (std::size_t i = 0; i < locations.size(); ++i) {
         const auto [face, u, v] = locations[i];
         const Far::PatchTable::PatchHandle* handle = map.FindPatch(face, u, v);
@@ -206,12 +261,8 @@ core::Result<Surfaces> evaluate_patches(const Far::TopologyRefiner& base, const 
         PointWeights w(points.size());
         patches->EvaluateBasis(*handle, u, v, w.rows[0].data(), w.rows[1].data(), w.rows[2].data(),
                                w.rows[3].data(), w.rows[4].data(), w.rows[5].data());
-        for (int p = 0; p < points.size(); ++p) {
-            const auto stencil = stencils->GetStencil(points[p]);
-            for (int s = 0; s < stencil.GetSize(); ++s)
-                sum.add(stencil.GetVertexIndices()[s], w.at(p), stencil.GetWeights()[s]);
-        }
-        out[i] = sum.take();
+        for (int p = 0; p < points.size(); ++p) patch_points.add(points[p], w.at(p), sum);
+        out[i] = to_surface_rows(sum.take());
     }
     return out;
 }
