@@ -57,9 +57,9 @@ inline constexpr int kOpensubdivMaxSurfaceLevel = 10;
 /// Range    every location inside its face: u, v >= 0, u + v <= 1 but for rounding, 0 <= face < face_count.
 /// Result   nothing where OpenSubdiv has no surface: in holes, and under BoundaryRule::None in faces with a
 ///          boundary vertex.
-/// Errors   Unsupported (Warren's weights, settings out of range, a valence above 65 535; for Bfr, an
-/// interior
-///          vertex of valence 2 with sharpness on its two faces), SubjectFailed.
+/// Errors   Unsupported (Warren's weights, settings out of range, a valence above 65 535; for Bfr, out of
+///          caution, an interior vertex of valence 2 with sharpness on its two faces: Bfr is known to crash
+///          at such vertices, though no mesh that TriangleMesh accepts was seen to do it), SubjectFailed.
 /// Cost     memory and time grow at least with the square of the valence: Bfr takes 1.5 GB at 10 000.
 /// Laws     (1) position rows sum to 1 and derivative rows to 0, PatchBox excepted: its conversion has six
 ///          digits.  (2) On regular faces every method gives the same rows.
