@@ -36,7 +36,8 @@ struct Star {
     std::vector<Sector> sectors() const;
 };
 
-/// The star of v.  Requires !has_finite_sharpness(topology, sharpness, v).
+/// The star of v.  A finite sharpness counts as infinite: that is the star of the rule v refines by, which is
+/// that of its limit only where !has_finite_sharpness(topology, sharpness, v).
 Star star_of(const Topology& topology, const Sharpness& sharpness, Index v);
 
 /// Why a sector of a vertex has no limit normal.
