@@ -278,10 +278,10 @@ DartTangent dart_tangent(int n, Weights weights) {
         const High mu = fill(phi);
         return High((mu - High(1) / 2) * l[0] / 2 - (l[1] / 4 + b * l[n]) / 2);
     };
-    std::uintmax_t iterations = 200;
+    std::uintmax_t iterations = 200;  // about 15 are used
     const int bits = std::numeric_limits<High>::digits - 2;
     const auto [low, high] =
-        boost::math::tools::toms748_solve(residual, High(pi() / n), High(3 * pi() / n),
+        boost::math::tools::toms748_solve(residual, High(pi() / n), High(299 * pi() / (100 * n)),
                                           boost::math::tools::eps_tolerance<High>(bits), iterations);
     DartTangent out{fill((low + high) / 2), {}};
     for (const High& x : l) out.weights.push_back(x / l[n]);

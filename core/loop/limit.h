@@ -65,7 +65,7 @@ extern template LimitMasks<HighPrecision> limit_masks<HighPrecision>(const Star&
 ///     v: 1,   e_i: x_i = b/(mu - 5/8) (1 - cos(phi (i - n/2)) / cos(phi n/2)),  0 < i < n,
 ///     e_0: 2 (mu - 1 + n b - 3/8 sum_i x_i),
 ///
-/// and phi is the only root in (pi/n, 3 pi/n) of
+/// and phi is the only root in (pi/n, 2.99 pi/n) of
 ///
 ///     (mu - 1 + n b)(mu - 1/2) - (x_1/4 + b)/2 - 3/8 (mu - 1/2) sum_i x_i = 0.
 ///

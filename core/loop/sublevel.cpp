@@ -49,6 +49,7 @@ SubLevel sublevel_around(const Topology& topology, const Sharpness& sharpness, s
 
     SubLevel out;
     out.vertices = vertices.whole();
+    out.faces = faces.whole();
     Topology& t = out.level.topology;
     Sharpness& s = out.level.sharpness;
     t.vertex_count = static_cast<Index>(out.vertices.size());

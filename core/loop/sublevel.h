@@ -15,7 +15,8 @@ namespace loopcheck::core {
 /// have an empty ring and are pinned: what is computed for them, or for edges between them, is meaningless.
 struct SubLevel {
     SchemeLevel level;
-    std::vector<Index> vertices;  ///< per vertex of `level`, its number in the whole
+    std::vector<Index> vertices;  ///< per vertex of `level`, its number in the whole; ascending
+    std::vector<Index> faces;     ///< per face of `level`, its number in the whole; ascending
     std::vector<Index> kept;      ///< the kept vertices, as numbers of `level`, in the order asked for
 };
 

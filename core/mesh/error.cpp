@@ -40,6 +40,10 @@ std::string_view code_name(ErrorCode code) {
             return "inconsistent-winding";
         case ErrorCode::DuplicateFace:
             return "duplicate-face";
+        case ErrorCode::OutsideDomain:
+            return "outside-domain";
+        case ErrorCode::NoLimitSurface:
+            return "no-limit-surface";
         case ErrorCode::Unsupported:
             return "unsupported";
         case ErrorCode::OutOfMemory:

@@ -28,6 +28,8 @@ enum class ErrorCode : std::uint8_t {
     NonManifoldVertex,    ///< the faces around a vertex form more than one fan
     InconsistentWinding,  ///< two neighbouring faces run along their edge in the same direction
     DuplicateFace,        ///< two faces with the same three vertices and the same winding
+    OutsideDomain,        ///< a parameter is outside its triangle
+    NoLimitSurface,       ///< a face that has no limit surface: a hole, or one at a boundary without rule
     Unsupported,          ///< a subject or a file format has no way to express this
     OutOfMemory,          ///< the work would need more memory than there is
     SubjectFailed,        ///< an implementation under test broke its promise

@@ -30,6 +30,8 @@ constexpr Named kNames[] = {
     {ErrorCode::NonManifoldVertex, "non-manifold-vertex"},
     {ErrorCode::InconsistentWinding, "inconsistent-winding"},
     {ErrorCode::DuplicateFace, "duplicate-face"},
+    {ErrorCode::OutsideDomain, "outside-domain"},
+    {ErrorCode::NoLimitSurface, "no-limit-surface"},
     {ErrorCode::Unsupported, "unsupported"},
     {ErrorCode::OutOfMemory, "out-of-memory"},
     {ErrorCode::SubjectFailed, "subject-failed"},
