@@ -16,10 +16,10 @@ std::string vertices(std::size_t count) {
     return fmt::format("{} {}", count, count == 1 ? "vertex" : "vertices");
 }
 
-std::string deviation_sentence(const DeviationSeen& seen) {
+std::string deviation_sentence(const DeviationSeen& seen, double largest_coordinate) {
     return fmt::format("{}: {} At {} of {}: {}; as predicted at each. See {}.", seen.deviation->name,
-                       seen.deviation->what, vertices(seen.vertices), seen.subject, amounts_in_words(seen),
-                       seen.deviation->page);
+                       seen.deviation->what, vertices(seen.vertices), seen.subject,
+                       amounts_in_words(seen, largest_coordinate), seen.deviation->page);
 }
 
 std::string vanished_sentence(const DeviationSeen& seen, const LimitSide& a, const LimitSide& b) {
@@ -97,10 +97,12 @@ LimitStats total(const LimitComparison& comparison) {
     return all;
 }
 
-std::string amounts_in_words(const DeviationSeen& seen) {
-    const auto amounts = [](double position, double angle) {
+std::string amounts_in_words(const DeviationSeen& seen, double largest_coordinate) {
+    const auto amounts = [&](double position, double angle) {
         std::vector<std::string> parts;
-        if (position > 0) parts.push_back(fmt::format("{:.6g}", position));
+        if (position > 0)
+            parts.push_back(
+                fmt::format("{:.6g} ({:.3g} % of M)", position, 100 * position / largest_coordinate));
         if (angle > 0) parts.push_back(fmt::format("{:.6g} degrees", in_degrees(angle)));
         return parts.empty() ? std::string("noise") : fmt::format("up to {}", fmt::join(parts, " and "));
     };
@@ -136,7 +138,7 @@ std::vector<std::string> limits_in_words(const LimitComparison& c, const LimitSi
                         in_degrees(all.normal.difference.max),
                         std::max(all.position.largest_bound_use, all.normal.largest_bound_use)));
     for (const DeviationSeen& seen : c.deviations)
-        if (seen.vertices > 0) out.push_back(deviation_sentence(seen));
+        if (seen.vertices > 0) out.push_back(deviation_sentence(seen, a.witness->largest_coordinate));
     out.push_back(drift_sentence(a.subject->name, all.subject_drift, unit));
     out.push_back(drift_sentence(b.subject->name, all.reference_drift, unit));
     return out;

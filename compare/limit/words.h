@@ -13,9 +13,9 @@ namespace loopcheck::compare {
 std::vector<std::string> limits_in_words(const LimitComparison& comparison, const LimitSide& subject,
                                          const LimitSide& reference);
 
-/// What was predicted of a deviation and what was seen: "predicted up to 0.0152 and 7.16 degrees, observed up
-/// to 0.0152 and 7.16 degrees".
-std::string amounts_in_words(const DeviationSeen& seen);
+/// What was predicted of a deviation and what was seen: "predicted up to 0.0152 (0.51 % of M) and 7.16
+/// degrees, observed up to 0.0152 (0.51 % of M) and 7.16 degrees".
+std::string amounts_in_words(const DeviationSeen& seen, double largest_coordinate);
 
 /// Why normals do not exist: "3 vertices: In a crease sector ..."; a sentence a reason.
 std::vector<std::string> undefined_in_words(const LimitStats& stats);
