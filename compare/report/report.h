@@ -42,7 +42,8 @@ std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<
                                 int exit_code);
 std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> subjects);
 
-/// JUnit XML: a test suite a model, a test case a comparison; what a subject does not support is skipped.
+/// JUnit XML: a test suite a model, a test case a comparison and one for its limits; what a subject does not
+/// support is skipped.
 std::string suite_as_junit(const SuiteResult& suite);
 
 /// Peak memory of the two reports below, in bytes per vertex of the last level.  A test measures them.

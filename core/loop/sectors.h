@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/loop/sharpness.h"
@@ -51,6 +52,9 @@ enum class NoNormal : std::uint8_t {
     SlowCorner,    ///< a corner sector of 3 faces: the normal converges only logarithmically
     FoldedCorner,  ///< a corner sector of 4 or more faces: the surface folds
 };
+
+/// The reason as a stable name: "valence-two", "folded-crease".
+std::string_view name(NoNormal reason);
 
 /// The reason as a sentence; empty for `None`.
 std::string sentence(NoNormal reason);
