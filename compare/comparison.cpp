@@ -1,41 +1,13 @@
 #include "compare/comparison.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
 #include <glm/common.hpp>
-#include <limits>
 
 namespace loopcheck::compare {
 namespace {
 
 using core::Index;
 using glm::dvec3;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// NaN and infinity count as the largest error there is, so that they can never pass for a small one.
-double largest(const dvec3& v) {
-    double out = 0;
-    for (int i = 0; i < 3; ++i)
-        if (!(v[i] <= out)) out = std::isfinite(v[i]) ? v[i] : kInfinity;
-    return out;
-}
-
-bool same_bits(const dvec3& a, const dvec3& b) {
-    for (int i = 0; i < 3; ++i)
-        if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) return false;
-    return true;
-}
-
-// How much of the allowed difference is used: above 1 it is violated.  Exact agreement uses nothing, even of
-// nothing.
-double use_of(double difference, double allowed) {
-    if (!std::isfinite(difference)) return kInfinity;
-    if (difference == 0) return 0;
-    return allowed > 0 ? difference / allowed : kInfinity;
-}
 
 bool worse(const VertexRecord& a, const VertexRecord& b) {
     if (a.error != b.error) return a.error > b.error;
@@ -61,7 +33,7 @@ class LevelComparer {
         for (Index v = 0; v < truth_a_.scheme.topology.vertex_count; ++v) {
             const VertexRecord record = compare_vertex(v);
             if (visit) visit(record);
-            keep_worst(record, static_cast<std::size_t>(top));
+            keep_worst(out_.worst, record, static_cast<std::size_t>(top), worse);
         }
         std::sort(out_.worst.begin(), out_.worst.end(), worse);
         return std::move(out_);
@@ -82,11 +54,6 @@ class LevelComparer {
         r.subject = made_a_.positions[r.subject_vertex];
         r.reference = made_b_.positions[r.reference_vertex];
         r.exact = truth_a_.exact[v];
-        r.identical = same_bits(r.subject, r.reference);
-
-        const dvec3 signed_difference = r.subject - r.reference;
-        const dvec3 difference = glm::abs(signed_difference);
-        r.error = largest(difference);
         const dvec3 from_exact_a = distance_from_exact(truth_a_, v, r.subject);
         const dvec3 from_exact_b = distance_from_exact(truth_b_, v, r.reference);
         r.subject_error = largest(from_exact_a);
@@ -96,25 +63,16 @@ class LevelComparer {
             (truth_a_.exact[v] - truth_b_.exact[v]) + (truth_a_.exact_rest[v] - truth_b_.exact_rest[v]);
         const dvec3& bound_a = truth_a_.bound(a_.subject->precision)[v];
         const dvec3& bound_b = truth_b_.bound(b_.subject->precision)[v];
+        const PointDifference d = difference_between(r.subject, r.reference, bound_a + bound_b, predicted);
+        r.identical = d.identical;
+        r.error = d.error;
+        r.bound = d.bound;
+        r.bound_use = d.bound_use;
         ClassStats& stats = out_.classes[r.vertex_class];
-        bool explained = true, right_a = true, right_b = true;
-        for (int i = 0; i < 3; ++i) {
-            const double allowed = bound_a[i] + bound_b[i];
-            const double use = use_of(difference[i], allowed);
-            if (i == 0 || use > r.bound_use) {
-                r.bound = allowed;
-                r.bound_use = use;
-            }
-            // The predicted difference of two doubles is itself rounded once more.
-            const double slack = allowed + std::abs(predicted[i]) * 0x1p-51;
-            explained = explained && std::abs(signed_difference[i] - predicted[i]) <= slack;
-            right_a = right_a && from_exact_a[i] <= bound_a[i];
-            right_b = right_b && from_exact_b[i] <= bound_b[i];
-        }
         if (!(r.bound_use <= 1)) ++stats.beyond_bound;
-        if (!explained) ++stats.unexplained;
-        if (!right_a) ++stats.subject_wrong;
-        if (!right_b) ++stats.reference_wrong;
+        if (!d.as_predicted) ++stats.unexplained;
+        if (!is_within(from_exact_a, bound_a)) ++stats.subject_wrong;
+        if (!is_within(from_exact_b, bound_b)) ++stats.reference_wrong;
         stats.predicted = std::max(stats.predicted, largest(glm::abs(predicted)));
         count(r, stats);
         return r;
@@ -131,18 +89,6 @@ class LevelComparer {
         };
         if (mismatch(made_a_, r.subject_vertex) || mismatch(made_b_, r.reference_vertex))
             ++stats.rule_mismatches;
-    }
-
-    // Keeps the `top` worst seen so far, as a heap whose front is the least bad of them.
-    void keep_worst(const VertexRecord& record, std::size_t top) {
-        auto& heap = out_.worst;
-        if (heap.size() >= top && (top == 0 || !worse(record, heap.front()))) return;
-        heap.push_back(record);
-        std::push_heap(heap.begin(), heap.end(), worse);
-        if (heap.size() > top) {
-            std::pop_heap(heap.begin(), heap.end(), worse);
-            heap.pop_back();
-        }
     }
 
     const Side& a_;
@@ -163,96 +109,9 @@ Verdict level_verdict(const LevelResult& level) {
 
 }  // namespace
 
-std::string_view name(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Identical:
-            return "identical";
-        case Verdict::WithinRounding:
-            return "within rounding";
-        case Verdict::KnownDeviation:
-            return "known deviation";
-        case Verdict::NotSupported:
-            return "not supported";
-        case Verdict::Differs:
-            return "differs";
-        case Verdict::Failed:
-            return "failed";
-    }
-    return {};
-}
-
-int exit_code(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Identical:
-        case Verdict::WithinRounding:
-        case Verdict::KnownDeviation:
-            return 0;
-        case Verdict::Differs:
-            return 1;
-        case Verdict::NotSupported:
-        case Verdict::Failed:
-            return 3;
-    }
-    return 3;
-}
-
-int worse_exit_code(int a, int b) {
-    constexpr std::array kWorstFirst{2, 3, 1, 0};
-    for (const int code : kWorstFirst)
-        if (a == code || b == code) return code;
-    return a;
-}
-
-double error_unit(double largest_coordinate, core::Precision a, core::Precision b) {
-    const auto unit = [&](core::Precision p) {
-        return std::max(largest_coordinate * core::unit_roundoff(p), core::smallest_subnormal(p));
-    };
-    return std::max(unit(a), unit(b));
-}
-
-void ErrorStats::add(double error, bool same) {
-    ++count;
-    if (same) ++identical;
-    if (!std::isfinite(error)) {
-        ++not_finite;
-        return;
-    }
-    max = std::max(max, error);
-    sum += error;
-    norm = std::hypot(norm, error);
-}
-
-void ErrorStats::add(const ErrorStats& other) {
-    count += other.count;
-    identical += other.identical;
-    not_finite += other.not_finite;
-    max = std::max(max, other.max);
-    sum += other.sum;
-    norm = std::hypot(norm, other.norm);
-}
-
-double ErrorStats::mean() const {
-    return count > not_finite ? sum / static_cast<double>(count - not_finite) : 0;
-}
-
-double ErrorStats::rms() const {
-    return count > not_finite ? norm / std::sqrt(static_cast<double>(count - not_finite)) : 0;
-}
-
 ClassStats total(const LevelResult& level) {
     ClassStats all;
-    for (const auto& [vertex_class, stats] : level.classes) {
-        all.difference.add(stats.difference);
-        all.subject_error.add(stats.subject_error);
-        all.reference_error.add(stats.reference_error);
-        all.largest_bound_use = std::max(all.largest_bound_use, stats.largest_bound_use);
-        all.predicted = std::max(all.predicted, stats.predicted);
-        all.beyond_bound += stats.beyond_bound;
-        all.unexplained += stats.unexplained;
-        all.subject_wrong += stats.subject_wrong;
-        all.reference_wrong += stats.reference_wrong;
-        all.rule_mismatches += stats.rule_mismatches;
-    }
+    for (const auto& [vertex_class, stats] : level.classes) all.add(stats);
     return all;
 }
 

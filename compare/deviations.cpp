@@ -2,36 +2,134 @@
 
 #include <array>
 
+#include "compare/limit/opensubdiv_masks.h"
 #include "core/loop/refine.h"
 
 namespace loopcheck::compare {
 namespace {
 
+using core::VertexRule;
+using Kind = KnownDeviation::Kind;
+
+bool is_settled(const LimitVertex& vertex, VertexRule rule) {
+    return vertex.sharpness == LimitVertex::Sharpness::Settled && vertex.star.rule() == rule;
+}
+
 constexpr std::array kDeviations{
     KnownDeviation{
         .name = "chaikin-overweight",
         .family = "opensubdiv",
-        .kind = KnownDeviation::Kind::Error,
+        .kind = Kind::Error,
         .what = "Where a Chaikin crease of sharpness s > 1 becomes smooth at one end in one step, OpenSubdiv "
-                "gives the "
-                "crease rule the weight s and the smooth rule the weight 1 - s < 0.",
+                "gives the crease rule the weight s and the smooth rule the weight 1 - s < 0.",
         .page = "docs/deviations/chaikin-overweight.md",
+        .versions = "3.5.0",
         .as_done =
             [](core::SchemeOptions options) {
                 options.crease_share = core::CreaseShare::Unclamped;
                 return options;
             },
     },
+    KnownDeviation{
+        .name = "limit-semi-sharp",
+        .family = "opensubdiv",
+        .kind = Kind::Documented,
+        .what = "At a vertex that is still semi-sharp OpenSubdiv gives the limit of one that stays sharp for "
+                "ever; once its sharpness has decayed the limit is right.",
+        .page = "docs/deviations/limit-semi-sharp.md",
+        .versions = "3.5.0",
+        .applies = [](const LimitVertex& v) { return v.sharpness == LimitVertex::Sharpness::Finite; },
+        .limit_as_done = opensubdiv_limit_masks,
+    },
+    KnownDeviation{
+        .name = "limit-dart",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what =
+            "At an infinitely sharp dart OpenSubdiv takes the limit masks of a smooth vertex, which are not "
+            "those of its own refinement there.",
+        .page = "docs/deviations/limit-dart.md",
+        .versions = "3.5.0",
+        .applies = [](const LimitVertex& v) { return is_settled(v, VertexRule::Dart); },
+        .limit_as_done = opensubdiv_limit_masks,
+    },
+    KnownDeviation{
+        .name = "limit-crease-tangent",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what =
+            "Across a crease or boundary of four or more faces OpenSubdiv's tangent belongs to the edge rule "
+            "3/8, 5/8; it refines by 1/2, 1/2.",
+        .page = "docs/deviations/limit-crease-tangent.md",
+        .versions = "3.5.0",
+        .applies =
+            [](const LimitVertex& v) {
+                return is_settled(v, VertexRule::Crease) && v.star.sectors().front().faces >= 4;
+            },
+        .limit_as_done = opensubdiv_limit_masks,
+    },
+    KnownDeviation{
+        .name = "limit-corner-tangent",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what = "At a sharp corner OpenSubdiv's tangents lead along the first two edges of the ring, not "
+                "along the "
+                "two edges that bound a sector.",
+        .page = "docs/deviations/limit-corner-tangent.md",
+        .versions = "3.5.0",
+        .applies =
+            [](const LimitVertex& v) {
+                if (!is_settled(v, VertexRule::Corner) || v.star.sharp.size() < 2) return false;
+                return v.star.sectors().front() != core::Sector{0, 1};
+            },
+        .limit_as_done = opensubdiv_limit_masks,
+    },
+    KnownDeviation{
+        .name = "limit-valence-2",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what = "At an interior vertex of valence 2 OpenSubdiv's second tangent is the rounding error of "
+                "sin(pi).",
+        .page = "docs/deviations/limit-valence-2.md",
+        .versions = "3.5.0",
+        .applies = [](const LimitVertex& v) { return is_settled(v, VertexRule::Smooth) && v.star.ring == 2; },
+        .limit_as_done = opensubdiv_limit_masks,
+    },
 };
 
 }  // namespace
+
+std::string_view name(KnownDeviation::Kind kind) {
+    switch (kind) {
+        case Kind::Error:
+            return "error";
+        case Kind::Approximation:
+            return "approximation";
+        case Kind::Documented:
+            return "documented";
+    }
+    return {};
+}
+
+LimitVertex limit_vertex(const core::SchemeLevel& level, core::Index v) {
+    return {core::star_of(level.topology, level.sharpness, v),
+            core::has_finite_sharpness(level.topology, level.sharpness, v) ? LimitVertex::Sharpness::Finite
+                                                                           : LimitVertex::Sharpness::Settled};
+}
 
 std::span<const KnownDeviation> known_deviations() {
     return kDeviations;
 }
 
+const KnownDeviation* find_deviation(std::span<const KnownDeviation> list, std::string_view name) {
+    for (const KnownDeviation& deviation : list)
+        if (deviation.name == name) return &deviation;
+    return nullptr;
+}
+
 bool is_predicted(const KnownDeviation& deviation, const core::TriangleMesh& mesh,
                   const core::SchemeOptions& options, int levels) {
+    if (deviation.as_done == nullptr) return false;
     const core::SchemeOptions done = deviation.as_done(options);
     if (done == options) return false;
     core::SchemeLevel level = core::control_level(mesh, options.boundary);
@@ -46,6 +144,18 @@ bool is_predicted(const KnownDeviation& deviation, const core::TriangleMesh& mes
         level = std::move(step->child);
     }
     return false;
+}
+
+const DeviatingMasks::Found& DeviatingMasks::at(const LimitVertex& vertex) {
+    const auto known = found_.find(vertex);
+    if (known != found_.end()) return known->second;
+    Found found;
+    for (const KnownDeviation& deviation : list_)
+        if (deviation.family == family_ && deviation.applies != nullptr && deviation.applies(vertex)) {
+            found = {&deviation, deviation.limit_as_done(vertex.star)};
+            break;
+        }
+    return found_.emplace(vertex, std::move(found)).first->second;
 }
 
 }  // namespace loopcheck::compare

@@ -10,14 +10,17 @@
 #include "core/mesh/error.h"
 #include "core/mesh/options.h"
 #include "core/mesh/refinement.h"
+#include "core/mesh/surface.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace loopcheck::compare {
 
-/// A subject: what it is, what it can do, and the one function that does it.
+/// A subject: what it is, what it can do, and the functions that do it.
 struct Subject {
     using Refine = std::function<core::Result<core::Refinement>(const core::TriangleMesh&,
                                                                 const core::SchemeOptions&, int)>;
+    using Limit =
+        std::function<core::Result<core::Limits>(const core::TriangleMesh&, const core::SchemeOptions&, int)>;
 
     std::string name;          ///< as on the command line: "opensubdiv-float"
     std::string family = {};   ///< the implementation behind it, without the precision: "opensubdiv"
@@ -27,6 +30,8 @@ struct Subject {
     bool has_weight_option = false;  ///< follows SchemeOptions::weights; else it always has Loop's weights
     double bytes_per_vertex = 0;     ///< peak memory while it refines, per vertex of the last level
     Refine refine = {};
+    Limit limit = {};                   ///< in the vertex order of `refine`; empty where it has no limits
+    double limit_bytes_per_vertex = 0;  ///< peak memory of that, per vertex of the last level
 };
 
 /// The one table of subjects: ours first, then the peers that were found when this was built.

@@ -1,5 +1,7 @@
 #include "compare/subject.h"
+#include "core/loop/limit.h"
 #include "core/loop/refine.h"
+#include "reference/opensubdiv/limit.h"
 #include "reference/opensubdiv/opensubdiv.h"
 #ifdef LOOPCHECK_HAS_OPENMESH
 #include "reference/openmesh/openmesh.h"
@@ -10,17 +12,25 @@ namespace {
 
 using core::Precision;
 
-// One implementation, in both precisions.  `refine` takes the precision last.
-template <class Refine>
-void add_family(std::vector<Subject>& table, const Subject& family, Refine refine) {
+// The function with the precision, which it takes last, filled in.
+template <class Function>
+auto in(Precision precision, Function function) {
+    return [function, precision](const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                 int levels) { return function(mesh, options, levels, precision); };
+}
+
+struct NoLimit {};
+
+// One implementation, in both precisions.
+template <class Refine, class Limit = NoLimit>
+void add_family(std::vector<Subject>& table, const Subject& family, Refine refine, Limit limit = {}) {
     for (const Precision precision : {Precision::Double, Precision::Float}) {
         Subject subject = family;
         subject.family = family.name;
         subject.precision = precision;
         if (precision == Precision::Float) subject.name += "-float";
-        subject.refine = [refine, precision](const core::TriangleMesh& mesh,
-                                             const core::SchemeOptions& options,
-                                             int levels) { return refine(mesh, options, levels, precision); };
+        subject.refine = in(precision, refine);
+        if constexpr (!std::is_same_v<Limit, NoLimit>) subject.limit = in(precision, limit);
         table.push_back(std::move(subject));
     }
 }
@@ -29,6 +39,12 @@ core::Result<core::Refinement> refine_ours(const core::TriangleMesh& mesh, const
                                            int levels, Precision precision) {
     return precision == Precision::Float ? core::refine<float>(mesh, options, levels)
                                          : core::refine<double>(mesh, options, levels);
+}
+
+core::Result<core::Limits> limits_ours(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                       int levels, Precision precision) {
+    return precision == Precision::Float ? core::limits<float>(mesh, options, levels)
+                                         : core::limits<double>(mesh, options, levels);
 }
 
 }  // namespace
@@ -42,14 +58,16 @@ std::vector<Subject> built_in_subjects() {
          .supports =
              "everything: all boundary options, creases, semi-sharp, Chaikin, Loop's and Warren's weights",
          .has_weight_option = true,
-         .bytes_per_vertex = 300},
-        refine_ours);
+         .bytes_per_vertex = 300,
+         .limit_bytes_per_vertex = 300},
+        refine_ours, limits_ours);
     add_family(table,
                {.name = "opensubdiv",
                 .version = reference::opensubdiv_version(),
                 .supports = "all boundary options, creases, semi-sharp, Chaikin; 15 levels, valence 65 535",
-                .bytes_per_vertex = 500},
-               reference::opensubdiv_refine);
+                .bytes_per_vertex = 500,
+                .limit_bytes_per_vertex = 600},
+               reference::opensubdiv_refine, reference::opensubdiv_limit);
 #ifdef LOOPCHECK_HAS_OPENMESH
     add_family(table,
                {.name = "openmesh",

@@ -26,14 +26,17 @@ struct Case {
     core::SchemeOptions options;
 };
 
-std::vector<Comparison> run_case(const Case& one, std::span<const Subject> subjects,
-                                 const SuiteOptions& options) {
+std::vector<SuiteRow> run_case(const Case& one, std::span<const Subject> subjects,
+                               const SuiteOptions& options) {
     Referee referee(one.model->mesh, one.options, options.levels);
-    std::vector<Comparison> out;
+    std::vector<SuiteRow> out;
     for (const Subject& peer : subjects) {
         const Subject* ours = in_precision(subjects, subjects.front(), peer.precision);
         if (ours == nullptr || peer.family == ours->family) continue;
-        out.push_back(referee.judge(*ours, peer));
+        SuiteRow row{one.name, referee.judge(*ours, peer), std::nullopt};
+        if (options.scope == Scope::Limits && ours->limit && peer.limit)
+            row.limits = referee.judge_limits(*ours, peer);
+        out.push_back(std::move(row));
     }
     return out;
 }
@@ -55,24 +58,33 @@ std::string name_among(const std::vector<std::filesystem::path>& models, const s
     return same == 1 ? model.filename().string() : model.string();
 }
 
-double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& options) {
+double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& options, Scope scope) {
     std::vector<const Subject*> all;
     for (const Subject& subject : subjects) all.push_back(&subject);
-    return referee_bytes_per_vertex(all, options);
+    return referee_bytes_per_vertex(all, options, scope);
 }
 
 }  // namespace
 
+std::size_t SuiteResult::limit_rows() const {
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [](const SuiteRow& row) { return row.limits.has_value(); }));
+}
+
 std::size_t SuiteResult::count(Verdict verdict) const {
-    return static_cast<std::size_t>(std::count_if(
-        rows.begin(), rows.end(), [&](const SuiteRow& row) { return row.comparison.verdict == verdict; }));
+    std::size_t out = 0;
+    for (const SuiteRow& row : rows) {
+        if (row.comparison.verdict == verdict) ++out;
+        if (row.limits && row.limits->verdict == verdict) ++out;
+    }
+    return out;
 }
 
 int SuiteResult::exit_code() const {
     int code = unreadable.empty() ? 0 : 2;
     for (const SuiteRow& row : rows)
-        if (row.comparison.verdict != Verdict::NotSupported)
-            code = worse_exit_code(code, compare::exit_code(row.comparison.verdict));
+        for (const Verdict verdict : {row.comparison.verdict, row.limit_verdict()})
+            if (verdict != Verdict::NotSupported) code = worse_exit_code(code, compare::exit_code(verdict));
     return code;
 }
 
@@ -106,7 +118,8 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
         else
             error = check_memory(
                 model->mesh, options.levels,
-                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop)),
+                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop),
+                                 options.scope),
                 options.memory_limit / options.jobs);
         if (error) {
             result.unreadable.push_back({name, *error});
@@ -119,7 +132,7 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
                  options_for_model(loaded.back()->model, boundary, std::nullopt, core::Weights::Loop)});
     }
 
-    std::vector<std::vector<Comparison>> outcomes(cases.size());
+    std::vector<std::vector<SuiteRow>> outcomes(cases.size());
     std::atomic<std::size_t> next = 0;
     std::size_t done = 0;
     std::mutex progress_mutex;
@@ -133,9 +146,8 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
     std::vector<std::future<void>> workers;
     for (int j = 0; j < options.jobs; ++j) workers.push_back(std::async(std::launch::async, work));
     for (auto& worker : workers) worker.get();
-    for (std::size_t i = 0; i < cases.size(); ++i)
-        for (Comparison& comparison : outcomes[i])
-            result.rows.push_back({cases[i].name, std::move(comparison)});
+    for (auto& rows : outcomes)
+        for (SuiteRow& row : rows) result.rows.push_back(std::move(row));
     return result;
 }
 

@@ -3,12 +3,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "compare/comparison.h"
 #include "compare/loading.h"
+#include "compare/referee.h"
 
 namespace loopcheck::compare {
 
@@ -16,6 +17,10 @@ namespace loopcheck::compare {
 struct SuiteRow {
     std::string model;  ///< file name; the path where two models have the same
     Comparison comparison;
+    std::optional<LimitComparison> limits;  ///< where both subjects have limits
+
+    /// The verdict on the limits where there is one, else `Identical`.
+    Verdict limit_verdict() const { return limits ? limits->verdict : Verdict::Identical; }
 };
 
 /// A model that could not be read.
@@ -30,6 +35,9 @@ struct SuiteResult {
     std::size_t models = 0;
     int levels = 0;
 
+    /// Rows whose limits were compared.
+    std::size_t limit_rows() const;
+    /// Verdicts on refinement and on limits together.
     std::size_t count(Verdict verdict) const;
     /// 2 where a model is unreadable, else 3 where a subject failed, else 1 where subjects differ, else 0.  A
     /// subject that says it cannot do a model is no failure here.
@@ -44,6 +52,7 @@ struct SuiteOptions {
     int levels = 5;
     int jobs = 1;
     bool triangulate = false;
+    Scope scope = Scope::Limits;
     double memory_limit = 0;  ///< bytes, for all jobs together
 };
 
@@ -52,7 +61,7 @@ struct SuiteOptions {
 using SuiteProgress = std::function<void(std::size_t done, std::size_t of, const std::string& model)>;
 
 /// Compares ours with every peer of the same precision on every model, under every boundary option and the
-/// creasing that the model declares.
+/// creasing that the model declares: the refinement, and the limits of peers that have them.
 SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<const Subject> subjects,
                       const SuiteOptions& options, const SuiteProgress& progress);
 

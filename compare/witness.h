@@ -44,5 +44,7 @@ glm::dvec3 distance_from_exact(const WitnessLevel& level, core::Index v, const g
 /// level. A test measures them.
 inline constexpr double kWitnessBytesPerVertex = 600;
 inline constexpr double kResultBytesPerVertex = 80;
+/// And of the limits of a result.
+inline constexpr double kLimitsBytesPerVertex = 100;
 
 }  // namespace loopcheck::compare

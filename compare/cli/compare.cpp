@@ -20,6 +20,7 @@ struct Flags {
     WorkFlags work;
     std::string json, csv, ply;
     int top = 1;
+    bool limit = false;
 };
 
 // What the per-vertex reports have gathered so far.
@@ -32,14 +33,14 @@ std::size_t to_count(double size) {
     return static_cast<std::size_t>(size);
 }
 
-std::optional<Comparison> compare_model(const Context& context, const Flags& flags, const std::string& path,
-                                        const LoadedModel& model, const Subject& a, const Subject& b,
-                                        VertexReports& reports) {
+std::optional<ModelReport> compare_model(const Context& context, const Flags& flags, const std::string& path,
+                                         const LoadedModel& model, const Subject& a, const Subject& b,
+                                         VertexReports& reports) {
     const core::SchemeOptions options = flags.rules.for_model(model.model);
     const std::array both{&a, &b};
-    const double bytes = referee_bytes_per_vertex(both, options) +
-                         (flags.csv.empty() ? 0 : kCsvBytesPerVertex) +
-                         (flags.ply.empty() ? 0 : kPlyBytesPerVertex);
+    const double bytes =
+        referee_bytes_per_vertex(both, options, flags.limit ? Scope::Limits : Scope::Refinement) +
+        (flags.csv.empty() ? 0 : kCsvBytesPerVertex) + (flags.ply.empty() ? 0 : kPlyBytesPerVertex);
     if (const auto error = check_memory(model.mesh, flags.work.levels, bytes, flags.work.memory_limit())) {
         complain(context, path, *error);
         return std::nullopt;
@@ -61,7 +62,13 @@ std::optional<Comparison> compare_model(const Context& context, const Flags& fla
             if (!flags.csv.empty()) reports.csv.add(path, record, unit);
             if (reports.ply) reports.ply->add(record);
         };
-    return referee.judge(a, b, flags.top, visit);
+    auto comparison = referee.judge(a, b, flags.top, visit);
+    std::optional<LimitComparison> limits;
+    if (flags.limit) {
+        progress.show(fmt::format("{}: limits of {} levels", path, flags.work.levels));
+        limits = referee.judge_limits(a, b, flags.top);
+    }
+    return make_report(path, model.mesh, std::move(comparison), std::move(limits));
 }
 
 // The faces of the last level, in our order, for the PLY report.
@@ -83,6 +90,8 @@ int run_compare(const Context& context, const Flags& flags) {
         context.err << fmt::format("{} and {} have Loop's weights only.\n", a->name, b->name);
         return kExitFailed;
     }
+    if (flags.limit && !(flags.csv.empty() && flags.ply.empty()))
+        context.err << "--csv and --ply have the refinement only, not the limits.\n";
     const std::array outputs{flags.json, flags.csv, flags.ply};
     if (outputs_clash(context, outputs, flags.models)) return kExitUsage;
     int code = 0;
@@ -90,14 +99,14 @@ int run_compare(const Context& context, const Flags& flags) {
     std::vector<ModelReport> reports;
     for (const std::string& path : flags.models) {
         const auto model = load_or_complain(context, path, flags.work.triangulate);
-        auto comparison =
-            model ? compare_model(context, flags, path, *model, *a, *b, vertices) : std::nullopt;
-        if (!comparison) {
+        auto report = model ? compare_model(context, flags, path, *model, *a, *b, vertices) : std::nullopt;
+        if (!report) {
             code = worse_exit_code(code, kExitUsage);
             continue;
         }
-        code = worse_exit_code(code, exit_code(comparison->verdict));
-        reports.push_back(make_report(path, model->mesh, std::move(*comparison)));
+        code = worse_exit_code(code, exit_code(report->comparison.verdict));
+        if (report->limits) code = worse_exit_code(code, exit_code(report->limits->verdict));
+        reports.push_back(std::move(*report));
         context.out << (reports.size() > 1 ? "\n" : "")
                     << comparison_as_text(reports.back(), context.subjects);
         const bool compared = !reports.back().comparison.levels.empty();
@@ -129,6 +138,8 @@ Command add_compare(CLI::App& program) {
         ->check(CLI::IsMember({"double", "float"}));
     flags->rules.add_to(*command);
     flags->work.add_to(*command);
+    command->add_flag("--limit", flags->limit,
+                      "compare the limits of all vertices too: positions and normals");
     command->add_option("--json", flags->json, "write the report as JSON");
     command->add_option("--csv", flags->csv, "write one line a vertex");
     command->add_option("--ply", flags->ply,

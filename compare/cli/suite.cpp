@@ -17,6 +17,7 @@ struct Flags {
     WorkFlags work;
     std::string json, junit;
     int jobs = 1;
+    bool no_limit = false;
 };
 
 int run_suite_command(const Context& context, const Flags& flags) {
@@ -47,7 +48,8 @@ int run_suite_command(const Context& context, const Flags& flags) {
     {
         Progress progress(context);
         result = run_suite(models, context.subjects,
-                           {flags.work.levels, flags.jobs, flags.work.triangulate, flags.work.memory_limit()},
+                           {flags.work.levels, flags.jobs, flags.work.triangulate,
+                            flags.no_limit ? Scope::Refinement : Scope::Limits, flags.work.memory_limit()},
                            [&](std::size_t done, std::size_t of, const std::string& model) {
                                progress.show(fmt::format("[{}/{}] {}", done, of, model));
                            });
@@ -72,6 +74,7 @@ Command add_suite(CLI::App& program) {
     command->add_option("--jobs", flags->jobs, "models refined at the same time")
         ->capture_default_str()
         ->check(CLI::Range(1, 1024));
+    command->add_flag("--no-limit", flags->no_limit, "compare refinements only, not limits");
     command->add_option("--json", flags->json, "write the report as JSON");
     command->add_option("--junit", flags->junit, "write the report as JUnit XML");
     return [flags](const Context& context) { return run_suite_command(context, *flags); };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -50,13 +51,14 @@ std::string xml(const std::string& text) {
     return out;
 }
 
-std::string test_case(const SuiteRow& row) {
+std::string test_case(const SuiteRow& row, std::string_view what, Verdict verdict,
+                      const std::vector<std::string>& all_notes) {
     const Comparison& c = row.comparison;
-    std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{} against {}, {}, {}\"",
-                                  xml(row.model), xml(c.subject), xml(c.reference),
+    std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{}{} against {}, {}, {}\"",
+                                  xml(row.model), what, xml(c.subject), xml(c.reference),
                                   core::name(c.options.boundary), core::name(c.options.creasing));
-    const std::string notes = xml(fmt::format("{}", fmt::join(c.notes, "\n")));
-    switch (c.verdict) {
+    const std::string notes = xml(fmt::format("{}", fmt::join(all_notes, "\n")));
+    switch (verdict) {
         case Verdict::Differs:
             return out + fmt::format("><failure message=\"differs\">{}</failure></testcase>\n", notes);
         case Verdict::Failed:
@@ -64,8 +66,14 @@ std::string test_case(const SuiteRow& row) {
         case Verdict::NotSupported:
             return out + fmt::format("><skipped message=\"{}\"/></testcase>\n", notes);
         default:
-            return out + fmt::format("><system-out>{}: {}</system-out></testcase>\n", name(c.verdict), notes);
+            return out + fmt::format("><system-out>{}: {}</system-out></testcase>\n", name(verdict), notes);
     }
+}
+
+std::string test_cases(const SuiteRow& row) {
+    std::string out = test_case(row, "", row.comparison.verdict, row.comparison.notes);
+    if (row.limits) out += test_case(row, "limits of ", row.limits->verdict, row.limits->notes);
+    return out;
 }
 
 }  // namespace
@@ -76,7 +84,7 @@ std::string suite_as_junit(const SuiteResult& suite) {
     std::string out = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites tests=\"{}\" failures=\"{}\" errors=\"{}\" "
         "skipped=\"{}\">\n",
-        suite.rows.size() + suite.unreadable.size(), suite.count(Verdict::Differs),
+        suite.rows.size() + suite.limit_rows() + suite.unreadable.size(), suite.count(Verdict::Differs),
         suite.count(Verdict::Failed) + suite.unreadable.size(), suite.count(Verdict::NotSupported));
     for (const UnreadableModel& bad : suite.unreadable)
         out += fmt::format(
@@ -85,8 +93,11 @@ std::string suite_as_junit(const SuiteResult& suite) {
             "message=\"not compared\">{1}</error></testcase>\n  </testsuite>\n",
             xml(bad.model), xml(core::to_string(bad.error)));
     for (const auto& [model, rows] : by_model) {
-        out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\">\n", xml(model), rows.size());
-        for (const SuiteRow* row : rows) out += test_case(*row);
+        const auto limits =
+            std::count_if(rows.begin(), rows.end(), [](const SuiteRow* row) { return bool(row->limits); });
+        out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\">\n", xml(model),
+                           rows.size() + static_cast<std::size_t>(limits));
+        for (const SuiteRow* row : rows) out += test_cases(*row);
         out += "  </testsuite>\n";
     }
     return out + "</testsuites>\n";

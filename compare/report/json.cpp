@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "compare/limit/words.h"
 #include "compare/report/report.h"
 #include "compare/words.h"
 #include "core/mesh/io/number.h"
@@ -77,7 +78,105 @@ Json json_of(const LevelResult& level, const Comparison& c, Detail detail) {
     return out;
 }
 
-Json json_of(const std::string& model, const Comparison& c, Detail detail) {
+// -- Limits.  Angles in degrees.
+
+Json angles(const ErrorStats& stats) {
+    return {{"identical", stats.identical},
+            {"not_finite", stats.not_finite},
+            {"max", in_degrees(stats.max)},
+            {"mean", in_degrees(stats.mean())},
+            {"rms", in_degrees(stats.rms())}};
+}
+
+Json normals_of(const LimitStats& all) {
+    const ClassStats& stats = all.normal;
+    Json out{{"compared", stats.difference.count},
+             {"undefined", Json::object()},
+             {"undetermined", all.undetermined},
+             {"difference", angles(stats.difference)},
+             {"subject_error", angles(stats.subject_error)},
+             {"reference_error", angles(stats.reference_error)},
+             {"bound_use", stats.largest_bound_use},
+             {"beyond_bound", stats.beyond_bound},
+             {"unexplained", stats.unexplained},
+             {"predicted", in_degrees(stats.predicted)}};
+    for (const auto& [reason, count] : all.undefined)
+        out["undefined"][std::string(core::name(reason))] = count;
+    return out;
+}
+
+Json json_of(const DriftStats& drift, double unit) {
+    return {{"position", json_of(drift.position, unit)},
+            {"normal", angles(drift.normal)},
+            {"unexplained", drift.unexplained}};
+}
+
+Json json_of(const LimitStats& stats, const Comparison& c) {
+    Json position = json_of(stats.position, c);
+    position["unexplained"] = stats.position.unexplained;
+    return {{"position", position},
+            {"normal", normals_of(stats)},
+            {"as_deviation", stats.as_deviation},
+            {"vanished", stats.vanished},
+            {"by_declaration", stats.by_declaration},
+            {"subject_drift", json_of(stats.subject_drift, c.unit())},
+            {"reference_drift", json_of(stats.reference_drift, c.unit())}};
+}
+
+Json json_of(const LimitRecord& r) {
+    Json out{{"position", json_of(r.position)}};
+    if (!r.deviation.empty()) out["deviation"] = r.deviation;
+    const NormalRecord& n = r.normal;
+    if (n.status == NormalStatus::Undefined) out["no_normal"] = core::name(n.reason);
+    if (n.status != NormalStatus::Compared) return out;
+    out["normal"] = {{"error", in_degrees(n.error)},
+                     {"subject_error", in_degrees(n.subject_error)},
+                     {"reference_error", in_degrees(n.reference_error)},
+                     {"bound", in_degrees(n.bound)},
+                     {"bound_use", n.bound_use},
+                     {"subject", json_of(n.subject)},
+                     {"reference", json_of(n.reference)},
+                     {"exact", json_of(n.exact)}};
+    return out;
+}
+
+Json json_of(const LimitLevelResult& level, const Comparison& c, Detail detail) {
+    Json out{{"level", level.level}, {"verdict", name(level.verdict)}, {"all", json_of(total(level), c)}};
+    if (detail == Detail::Levels) return out;
+    out["classes"] = Json::array();
+    for (const auto& [vertex_class, stats] : level.classes) {
+        Json entry{{"class", core::to_string(vertex_class)}};
+        entry.update(json_of(stats, c));
+        out["classes"].push_back(std::move(entry));
+    }
+    out["worst"] = Json::array();
+    for (const LimitRecord& record : level.worst) out["worst"].push_back(json_of(record));
+    return out;
+}
+
+Json json_of(const DeviationSeen& seen) {
+    return {
+        {"name", seen.deviation->name},
+        {"kind", name(seen.deviation->kind)},
+        {"subject", seen.subject},
+        {"vertices", seen.vertices},
+        {"vanished", seen.vanished},
+        {"position", {{"predicted", seen.predicted_position}, {"observed", seen.observed_position}}},
+        {"normal",
+         {{"predicted", in_degrees(seen.predicted_angle)}, {"observed", in_degrees(seen.observed_angle)}}}};
+}
+
+Json json_of(const LimitComparison& limits, const Comparison& c, Detail detail) {
+    Json out{{"verdict", name(limits.verdict)}, {"notes", limits.notes}};
+    out["deviations"] = Json::array();
+    for (const DeviationSeen& seen : limits.deviations) out["deviations"].push_back(json_of(seen));
+    out["levels"] = Json::array();
+    for (const LimitLevelResult& level : limits.levels) out["levels"].push_back(json_of(level, c, detail));
+    return out;
+}
+
+Json json_of(const std::string& model, const Comparison& c, const std::optional<LimitComparison>& limits,
+             Detail detail) {
     Json out{{"model", model},
              {"subject", c.subject},
              {"reference", c.reference},
@@ -92,6 +191,7 @@ Json json_of(const std::string& model, const Comparison& c, Detail detail) {
     out["uM"] = c.unit();
     out["levels"] = Json::array();
     for (const LevelResult& level : c.levels) out["levels"].push_back(json_of(level, c, detail));
+    if (limits) out["limits"] = json_of(*limits, c, detail);
     return out;
 }
 
@@ -117,7 +217,7 @@ std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<
     Json out = document("compare", subjects, exit_code);
     out["comparisons"] = Json::array();
     for (const ModelReport& report : reports) {
-        Json entry = json_of(report.model, report.comparison, Detail::Classes);
+        Json entry = json_of(report.model, report.comparison, report.limits, Detail::Classes);
         entry["control_mesh"] = {{"vertices", report.vertices},
                                  {"faces", report.faces},
                                  {"boundary_edges", report.boundary_edges}};
@@ -136,7 +236,7 @@ std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> sub
                                      {"error", core::to_string(bad.error)}});
     out["comparisons"] = Json::array();
     for (const SuiteRow& row : suite.rows)
-        out["comparisons"].push_back(json_of(row.model, row.comparison, Detail::Levels));
+        out["comparisons"].push_back(json_of(row.model, row.comparison, row.limits, Detail::Levels));
     return dump(out);
 }
 

@@ -15,18 +15,25 @@ struct ModelReport {
     std::string model;  ///< as named on the command line
     std::size_t vertices = 0, faces = 0, boundary_edges = 0;
     Comparison comparison;
+    std::optional<LimitComparison> limits;  ///< where they were asked for
 };
 
 /// Name, counts and comparison in one.
-ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison);
+ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison,
+                        std::optional<LimitComparison> limits = std::nullopt);
 
 /// For a reader at a terminal: the rules, a line a level, the classes of the level that matters most, the
-/// worst vertices of it, and the verdict in words.
+/// worst vertices of it, and the verdict in words; then the same of the limits, if they were compared.
 std::string comparison_as_text(const ModelReport& report, std::span<const Subject> subjects);
 
-/// The failures with their reasons, then the known deviations, then a line a model with a column a peer, then
-/// one line of summary.
+/// The limits alone: lines for positions and for normals.
+std::string limits_as_text(const LimitComparison& limits, const Comparison& comparison);
+
+/// The failures with their reasons, then the known deviations, then a line a model with a column a peer and
+/// one for its limits, then one line of summary.
 std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> subjects);
+/// The part of it that says which known deviations of limits were seen, a line each; empty where none was.
+std::string limit_deviations_as_text(const SuiteResult& suite);
 /// The last line of it.
 std::string suite_summary(const SuiteResult& suite);
 
@@ -35,7 +42,8 @@ std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<
                                 int exit_code);
 std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> subjects);
 
-/// JUnit XML: a test suite a model, a test case a comparison; what a subject does not support is skipped.
+/// JUnit XML: a test suite a model, a test case a comparison and one for its limits; what a subject does not
+/// support is skipped.
 std::string suite_as_junit(const SuiteResult& suite);
 
 /// Peak memory of the two reports below, in bytes per vertex of the last level.  A test measures them.

@@ -4,59 +4,13 @@
 #include <algorithm>
 #include <map>
 
+#include "compare/limit/words.h"
 #include "compare/report/report.h"
+#include "compare/report/table.h"
 #include "compare/words.h"
-#include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
 namespace {
-
-// Columns padded to their widest cell; the first is aligned left, the others right.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> width;
-    for (const auto& row : rows) {
-        width.resize(std::max(width.size(), row.size()), 0);
-        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
-    }
-    std::string out;
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i)
-            line += i == 0 ? fmt::format("  {:<{}}", row[i], width[i])
-                           : fmt::format("  {:>{}}", row[i], width[i]);
-        line.erase(line.find_last_not_of(' ') + 1);
-        out += line + "\n";
-    }
-    return out;
-}
-
-std::vector<std::string> header(const std::string& first, const Comparison& c) {
-    return {first,         "vertices",           "identical",
-            "max |a-b|",   "/ diagonal",         "/ (u M)",
-            "rms / (u M)", c.subject + "-exact", c.reference + "-exact",
-            "bound used"};
-}
-
-std::vector<std::string> stats_row(const std::string& first, const ClassStats& stats, const Comparison& c) {
-    const auto number = [](double value) {
-        return value == 0 ? std::string("0") : fmt::format("{:.3g}", value);
-    };
-    const ErrorStats& d = stats.difference;
-    const auto largest = [&](const ErrorStats& e, double per) {
-        return e.not_finite > 0 ? fmt::format("{} not finite", e.not_finite) : number(e.max / per);
-    };
-    const double diagonal = c.diagonal > 0 ? c.diagonal : 1;
-    return {first,
-            fmt::format("{}", d.count),
-            fmt::format("{}", d.identical),
-            largest(d, 1),
-            number(d.max / diagonal),
-            number(d.max / c.unit()),
-            number(d.rms() / c.unit()),
-            largest(stats.subject_error, c.unit()),
-            largest(stats.reference_error, c.unit()),
-            number(stats.largest_bound_use)};
-}
 
 // The level to look at: the first that differs, else the last.
 const LevelResult& level_of_interest(const Comparison& c) {
@@ -66,24 +20,9 @@ const LevelResult& level_of_interest(const Comparison& c) {
 }
 
 std::string vertex_as_text(const VertexRecord& r, const Comparison& c) {
-    std::string out =
-        fmt::format("  vertex {} of level {} ({}; {}; rule: {}): |a-b| = {:.6g} = {}, bound used {:.3g}\n",
-                    r.vertex, r.level, ancestry_in_words(r), core::to_string(r.vertex_class),
-                    rule_in_words(r), r.error, in_units(r.error, c.unit()), r.bound_use);
-    const auto position = [](const std::string& who, const glm::dvec3& p) {
-        std::vector<std::string> decimal, hex;
-        for (int i = 0; i < 3; ++i) {
-            decimal.push_back(core::shortest(p[i]));
-            hex.push_back(core::hexfloat(p[i]));
-        }
-        return fmt::format("    {:<18} {}   [{}]\n", who, fmt::join(decimal, " "), fmt::join(hex, " "));
-    };
-    out += position(c.subject, r.subject) + position(c.reference, r.reference) + position("exact", r.exact);
-    if (r.subject_vertex != r.vertex)
-        out += fmt::format("    {} calls it vertex {}\n", c.subject, r.subject_vertex);
-    if (r.reference_vertex != r.vertex)
-        out += fmt::format("    {} calls it vertex {}\n", c.reference, r.reference_vertex);
-    return out;
+    return fmt::format("  {}: |a-b| = {:.6g} = {}, bound used {:.3g}\n", vertex_in_words(r), r.error,
+                       in_units(r.error, c.unit()), r.bound_use) +
+           positions_as_text(r, c);
 }
 
 std::string subject_in_words(std::string_view name, std::span<const Subject> subjects) {
@@ -98,54 +37,112 @@ std::string rules_in_words(const core::SchemeOptions& options) {
                        core::name(options.creasing), core::name(options.weights));
 }
 
+// One verdict, and the largest difference in u M.
+struct Outcome {
+    Verdict verdict;
+    double largest = 0;
+};
+
+Outcome refinement_of(const SuiteRow& row) {
+    Outcome out{row.comparison.verdict};
+    for (const LevelResult& level : row.comparison.levels)
+        out.largest = std::max(out.largest, total(level).difference.max / row.comparison.unit());
+    return out;
+}
+
+Outcome limits_of(const SuiteRow& row) {
+    const double unit = row.comparison.unit();
+    return {row.limits->verdict, total(*row.limits).position.difference.max / unit};
+}
+
 // One peer's column for one model: what came out under its boundary options.
-std::string cell(const std::vector<const Comparison*>& comparisons) {
+std::string cell(const std::vector<Outcome>& outcomes) {
     std::map<Verdict, int> verdicts;
     double largest = 0;
-    for (const Comparison* c : comparisons) {
-        ++verdicts[c->verdict];
-        for (const LevelResult& level : c->levels)
-            largest = std::max(largest, total(level).difference.max / c->unit());
+    for (const Outcome& outcome : outcomes) {
+        ++verdicts[outcome.verdict];
+        if (outcome.verdict == Verdict::WithinRounding) largest = std::max(largest, outcome.largest);
     }
     std::vector<std::string> parts;
     for (const auto& [verdict, count] : verdicts) {
         std::string part(verdict == Verdict::NotSupported ? "n/a" : name(verdict));
-        if (verdict == Verdict::WithinRounding) part = fmt::format("within {:.2g} u M", largest);
+        // Limits may differ by the rounding of normals alone.
+        if (verdict == Verdict::WithinRounding && largest > 0) part = fmt::format("within {:.2g} u M", largest);
         parts.push_back(verdicts.size() == 1 ? part : fmt::format("{} {}", count, part));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+// The notes of a row on what has this verdict, refinement or limits.
+std::vector<std::string> notes_of(const SuiteRow& row, Verdict verdict) {
+    std::vector<std::string> out;
+    if (row.comparison.verdict == verdict) out = row.comparison.notes;
+    if (row.limits && row.limits->verdict == verdict && row.limits->notes != out)
+        for (const std::string& note : row.limits->notes) out.push_back("limits: " + note);
+    return out;
+}
+
 // The rows of one verdict.  What is to be said of several rows of a model is said once, below all of them.
 std::string details(const SuiteResult& suite, Verdict verdict, const std::string& heading) {
     std::string out;
+    std::vector<std::string> notes;
     const SuiteRow* previous = nullptr;
-    const auto notes_of = [](const SuiteRow& row) {
-        std::string notes;
-        for (const std::string& note : row.comparison.notes) notes += fmt::format("    {}\n", note);
-        return notes;
+    const auto said = [&] {
+        std::string text;
+        for (const std::string& note : notes) text += fmt::format("    {}\n", note);
+        return text;
     };
     for (const SuiteRow& row : suite.rows) {
         const Comparison& c = row.comparison;
-        if (c.verdict != verdict) continue;
-        const bool same =
-            previous != nullptr && previous->model == row.model && previous->comparison.notes == c.notes;
-        if (previous != nullptr && !same) out += notes_of(*previous);
+        // Known deviations of limits are many: they have a table of their own.
+        const bool limits_too = verdict != Verdict::KnownDeviation && row.limit_verdict() == verdict;
+        if (c.verdict != verdict && !limits_too) continue;
+        auto here = limits_too ? notes_of(row, verdict) : c.notes;
+        if (previous != nullptr && (previous->model != row.model || notes != here)) out += said();
         out += fmt::format("  {} ({}): {} against {}\n", printable(row.model), rules_in_words(c.options),
                            c.subject, c.reference);
         previous = &row;
+        notes = std::move(here);
     }
-    return previous == nullptr ? out : fmt::format("{}\n{}{}\n", heading, out, notes_of(*previous));
+    return previous == nullptr ? out : fmt::format("{}\n{}{}\n", heading, out, said());
+}
+
+// A line a model, a column a peer: refinements first, then limits.
+std::string outcomes_as_table(const SuiteResult& suite, std::span<const Subject> subjects) {
+    std::vector<std::string> columns, limit_columns;
+    std::map<std::string, std::map<std::string, std::vector<Outcome>>> by_model;
+    const auto add = [&](std::vector<std::string>& known, const std::string& column, const std::string& model,
+                         const Outcome& outcome) {
+        if (std::find(known.begin(), known.end(), column) == known.end()) known.push_back(column);
+        by_model[model][column].push_back(outcome);
+    };
+    for (const SuiteRow& row : suite.rows) {
+        const Subject* peer = find_subject(subjects, row.comparison.reference);
+        const std::string& who = row.comparison.reference;
+        add(columns, peer == nullptr ? who : fmt::format("{} {}", who, peer->version), row.model,
+            refinement_of(row));
+        if (row.limits) add(limit_columns, who + " limits", row.model, limits_of(row));
+    }
+    columns.insert(columns.end(), limit_columns.begin(), limit_columns.end());
+    std::vector<std::vector<std::string>> rows{{"ours against"}};
+    rows[0].insert(rows[0].end(), columns.begin(), columns.end());
+    for (const auto& [model, by_column] : by_model) {
+        rows.push_back({printable(model)});
+        for (const std::string& column : columns) rows.back().push_back(cell(by_column.at(column)));
+    }
+    return by_model.empty() ? std::string() : table(rows) + "\n";
 }
 
 }  // namespace
 
-ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison) {
+ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison,
+                        std::optional<LimitComparison> limits) {
     const core::Topology& t = mesh.topology();
     const auto boundary = std::count_if(t.edge_faces.begin(), t.edge_faces.end(),
                                         [](const auto& faces) { return faces[1] == core::kNone; });
-    return {std::move(model), static_cast<std::size_t>(t.vertex_count), t.triangles.size(),
-            static_cast<std::size_t>(boundary), std::move(comparison)};
+    return {std::move(model),      static_cast<std::size_t>(t.vertex_count),
+            t.triangles.size(),    static_cast<std::size_t>(boundary),
+            std::move(comparison), std::move(limits)};
 }
 
 std::string comparison_as_text(const ModelReport& report, std::span<const Subject> subjects) {
@@ -161,15 +158,15 @@ std::string comparison_as_text(const ModelReport& report, std::span<const Subjec
         out += fmt::format(
             "M = {:.6g}, diagonal = {:.6g}, u M = {:.3g}; exact: the same rules with 38 digits, in u M\n\n",
             c.largest_coordinate, c.diagonal, c.unit());
-        std::vector<std::vector<std::string>> rows{header("level", c)};
+        std::vector<std::vector<std::string>> rows{position_header("level", c)};
         for (const LevelResult& level : c.levels)
-            rows.push_back(stats_row(fmt::format("{}", level.level), total(level), c));
+            rows.push_back(position_row(fmt::format("{}", level.level), total(level), c));
         out += table(rows);
 
         const LevelResult& level = level_of_interest(c);
-        rows = {header(fmt::format("class at level {}", level.level), c)};
+        rows = {position_header(fmt::format("class at level {}", level.level), c)};
         for (const auto& [vertex_class, stats] : level.classes)
-            rows.push_back(stats_row(core::to_string(vertex_class), stats, c));
+            rows.push_back(position_row(core::to_string(vertex_class), stats, c));
         out += "\n" + table(rows);
 
         std::string worst;
@@ -179,6 +176,7 @@ std::string comparison_as_text(const ModelReport& report, std::span<const Subjec
     }
     out += fmt::format("\nverdict: {}\n", name(c.verdict));
     for (const std::string& note : c.notes) out += fmt::format("  {}\n", note);
+    if (report.limits) out += limits_as_text(*report.limits, c);
     return out;
 }
 
@@ -188,8 +186,9 @@ std::string suite_summary(const SuiteResult& suite) {
                                   Verdict::WithinRounding, Verdict::Identical, Verdict::NotSupported})
         parts.push_back(fmt::format("{} {}", suite.count(verdict), name(verdict)));
     return fmt::format(
-        "{}: {} comparisons of {} models, levels 0 to {}: {}{}", suite.exit_code() == 0 ? "agree" : "FAIL",
-        suite.rows.size(), suite.models, suite.levels, fmt::join(parts, ", "),
+        "{}: {} comparisons and {} of limits of {} models, levels 0 to {}: {}{}",
+        suite.exit_code() == 0 ? "agree" : "FAIL", suite.rows.size(), suite.limit_rows(), suite.models,
+        suite.levels, fmt::join(parts, ", "),
         suite.unreadable.empty() ? "" : fmt::format(", {} models not compared", suite.unreadable.size()));
 }
 
@@ -204,23 +203,7 @@ std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> sub
     out += details(suite, Verdict::Failed, "failed") + details(suite, Verdict::Differs, "differs") +
            details(suite, Verdict::KnownDeviation, "known deviations");
 
-    std::vector<std::string> peers;
-    std::map<std::string, std::map<std::string, std::vector<const Comparison*>>> by_model;
-    for (const SuiteRow& row : suite.rows) {
-        by_model[row.model][row.comparison.reference].push_back(&row.comparison);
-        if (std::find(peers.begin(), peers.end(), row.comparison.reference) == peers.end())
-            peers.push_back(row.comparison.reference);
-    }
-    std::vector<std::vector<std::string>> rows{{"ours against"}};
-    for (const std::string& peer : peers) {
-        const Subject* subject = find_subject(subjects, peer);
-        rows[0].push_back(subject == nullptr ? peer : fmt::format("{} {}", peer, subject->version));
-    }
-    for (const auto& [model, by_peer] : by_model) {
-        rows.push_back({printable(model)});
-        for (const std::string& peer : peers) rows.back().push_back(cell(by_peer.at(peer)));
-    }
-    if (!by_model.empty()) out += table(rows) + "\n";
+    out += limit_deviations_as_text(suite) + outcomes_as_table(suite, subjects);
     return out + suite_summary(suite) + "\n";
 }
 

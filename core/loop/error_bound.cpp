@@ -29,33 +29,39 @@ Bounds control_bounds(std::span<const glm::dvec3> positions, Precision precision
     return out;
 }
 
+glm::dvec3 row_bound(std::span<const double> weights, std::span<const double> sizes, int ulps,
+                     const RowBase& base, Precision precision) {
+    const auto terms = static_cast<double>(base.columns.size());
+    const double k = (terms + ulps) * unit_roundoff(precision);
+    const double g = k / (1 - k);
+    glm::dvec3 carried(0), size(0);
+    for (std::size_t j = 0; j < base.columns.size(); ++j)
+        for (int i = 0; i < 3; ++i) {
+            const double inherited = base.bounds[base.columns[j]][i];
+            carried[i] += std::abs(weights[j]) * inherited;
+            size[i] += sizes[j] * (std::abs(base.exact[base.columns[j]][i]) + inherited);
+        }
+    glm::dvec3 bound;
+    for (int i = 0; i < 3; ++i)
+        bound[i] = (carried[i] + g * size[i]) * kRoundUp + terms * smallest_subnormal(precision);
+    return bound;
+}
+
 Bounds next_bounds(const Rows& rows, Weights weights, std::span<const glm::dvec3> exact_parent,
                    const Bounds& parent, Precision precision) {
-    const double u = unit_roundoff(precision);
-    const double t = smallest_subnormal(precision);
     const auto table = weights_of<double>(rows, weights);
+    auto sizes = table;
+    for (auto& row : sizes)
+        for (double& w : row) w = std::abs(w);
     Bounds out;
     out.reserve(rows.row_count());
     for (std::size_t row = 0; row < rows.row_count(); ++row) {
-        const auto columns = rows.columns_of(row);
-        if (columns.size() == 1) {
-            out.push_back(parent[columns[0]]);
-            continue;
-        }
-        const auto& w = table[rows.mask_of_row[row]];
-        const double k = (static_cast<double>(columns.size()) + weight_ulps(rows.mask(row), weights)) * u;
-        const double g = k / (1 - k);
-        glm::dvec3 carried(0), size(0);
-        for (std::size_t j = 0; j < columns.size(); ++j)
-            for (int i = 0; i < 3; ++i) {
-                const double inherited = parent[columns[j]][i];
-                carried[i] += std::abs(w[j]) * inherited;
-                size[i] += std::abs(w[j]) * (std::abs(exact_parent[columns[j]][i]) + inherited);
-            }
-        glm::dvec3 bound;
-        for (int i = 0; i < 3; ++i)
-            bound[i] = (carried[i] + g * size[i]) * kRoundUp + static_cast<double>(columns.size()) * t;
-        out.push_back(bound);
+        const RowBase base{rows.columns_of(row), exact_parent, parent};
+        const Index mask = rows.mask_of_row[row];
+        out.push_back(base.columns.size() == 1
+                          ? parent[base.columns[0]]
+                          : row_bound(table[mask], sizes[mask], weight_ulps(rows.masks[mask], weights), base,
+                                      precision));
     }
     return out;
 }

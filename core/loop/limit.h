@@ -117,4 +117,9 @@ extern template Result<Limits> limits<double>(const TriangleMesh&, const SchemeO
 /// and one more, for n >= 2.
 inline constexpr int kLimitWeightUlps = 20;
 
+/// Error of a limit tangent's weights, in units of roundoff of the largest of them, for anybody's formula:
+/// the angle 2 pi i/n < 2 pi is right to 3 u of itself, so its cosine and sine to 19 u and half of one more;
+/// the crease's factors are smaller and right to a few u for k <= 5.
+inline constexpr int kTangentWeightUlps = 32;
+
 }  // namespace loopcheck::core

@@ -26,6 +26,28 @@ Star star_of(const Topology& topology, const Sharpness& sharpness, Index v) {
     return star;
 }
 
+std::string_view name(NoNormal reason) {
+    switch (reason) {
+        case NoNormal::None:
+            return "none";
+        case NoNormal::Isolated:
+            return "isolated";
+        case NoNormal::ValenceTwo:
+            return "valence-two";
+        case NoNormal::Cone:
+            return "cone";
+        case NoNormal::SlowCrease:
+            return "slow-crease";
+        case NoNormal::FoldedCrease:
+            return "folded-crease";
+        case NoNormal::SlowCorner:
+            return "slow-corner";
+        case NoNormal::FoldedCorner:
+            return "folded-corner";
+    }
+    return {};
+}
+
 std::string sentence(NoNormal reason) {
     switch (reason) {
         case NoNormal::None:

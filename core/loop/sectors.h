@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/loop/sharpness.h"
@@ -36,7 +37,8 @@ struct Star {
     std::vector<Sector> sectors() const;
 };
 
-/// The star of v.  Requires !has_finite_sharpness(topology, sharpness, v).
+/// The star of v.  A finite sharpness counts as infinite: that is the star of the rule v refines by, which is
+/// that of its limit only where !has_finite_sharpness(topology, sharpness, v).
 Star star_of(const Topology& topology, const Sharpness& sharpness, Index v);
 
 /// Why a sector of a vertex has no limit normal.
@@ -50,6 +52,9 @@ enum class NoNormal : std::uint8_t {
     SlowCorner,    ///< a corner sector of 3 faces: the normal converges only logarithmically
     FoldedCorner,  ///< a corner sector of 4 or more faces: the surface folds
 };
+
+/// The reason as a stable name: "valence-two", "folded-crease".
+std::string_view name(NoNormal reason);
 
 /// The reason as a sentence; empty for `None`.
 std::string sentence(NoNormal reason);

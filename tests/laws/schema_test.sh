@@ -18,6 +18,8 @@ report identical 0 compare "$source/models/cow.obj" --levels 1 --top 3
 report differs 1 compare "$source/models/icosahedron.obj" --levels 2 --weights warren --top 3
 report unsupported 3 compare "$source/models/crease-loop.obj" --levels 1 --with openmesh
 report unreadable 2 compare "$source/models/reject/repeated-vertex.obj"
+report limits 0 compare "$source/models/dart-valence-06.obj" "$source/models/fan-7.obj" --levels 2 --limit --top 3
+report limits-unsupported 3 compare "$source/models/cow.obj" --levels 1 --boundary edge-only --with openmesh --limit
 report suite 0 suite "$source/models/chaikin-overweight.obj" "$source/models/fan-2.obj" --levels 2
 report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
 
