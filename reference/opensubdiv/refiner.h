@@ -1,0 +1,101 @@
+// What the adapters to OpenSubdiv share.  Internal to reference/opensubdiv: only its sources include it.
+#pragma once
+
+#include <fmt/format.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefiner.h>
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/mesh/error.h"
+#include "core/mesh/options.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace loopcheck::reference::internal {
+
+namespace Far = OpenSubdiv::Far;
+namespace Sdc = OpenSubdiv::Sdc;
+using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+using RefinerPtr = std::unique_ptr<Far::TopologyRefiner>;
+
+/// Unsupported where OpenSubdiv has no way to refine the mesh so; else nothing.
+std::optional<core::Error> check_supported(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                           int levels);
+
+/// SubjectFailed with this reason.
+tl::unexpected<core::Error> failed(std::string_view why);
+
+/// Begins to collect, on this thread, what OpenSubdiv says instead of letting it print.
+void catch_messages();
+
+/// What it said since.
+const std::string& caught_messages();
+
+/// Runs work(), which returns a Result, with messages caught; an exception becomes SubjectFailed.
+template <class Work>
+std::invoke_result_t<Work> contained(Work work) {
+    catch_messages();
+    try {
+        return work();
+    } catch (const std::exception& e) {
+        return failed(e.what());
+    }
+}
+
+/// Values at the corners of faces: the three of each face, of `count` in all.
+struct FaceVaryingTopology {
+    std::span<const core::Triangle> indices;
+    int count = 0;
+};
+
+/// The mesh as an unrefined refiner, with a channel of face-varying values, interpolated smoothly up to their
+/// seams, where there is one.
+///
+/// Errors   SubjectFailed.
+core::Result<RefinerPtr> make_refiner(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                      std::optional<FaceVaryingTopology> values = std::nullopt);
+
+/// A refiner of the same control mesh, refined to exactly this level with the full topology of every level.
+///
+/// Errors   SubjectFailed.
+core::Result<RefinerPtr> refined_uniformly(const Far::TopologyRefiner& base, int levels);
+
+/// The interface PrimvarRefinerReal asks of a value.
+template <class Real>
+struct Value {
+    Real x, y, z;
+
+    void Clear() { x = y = z = 0; }
+    void AddWithWeight(const Value& other, Real weight) {
+        x += weight * other.x;
+        y += weight * other.y;
+        z += weight * other.z;
+    }
+};
+
+/// The control positions, rounded to Real.
+template <class Real>
+std::vector<Value<Real>> control_values(const core::TriangleMesh& mesh) {
+    std::vector<Value<Real>> out;
+    out.reserve(mesh.positions().size());
+    for (const auto& p : mesh.positions())
+        out.push_back({static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
+    return out;
+}
+
+template <class Real>
+std::vector<glm::dvec3> to_positions(const std::vector<Value<Real>>& values) {
+    std::vector<glm::dvec3> out;
+    out.reserve(values.size());
+    for (const auto& v : values) out.emplace_back(v.x, v.y, v.z);
+    return out;
+}
+
+}  // namespace loopcheck::reference::internal
