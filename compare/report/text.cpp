@@ -5,30 +5,12 @@
 #include <map>
 
 #include "compare/report/report.h"
+#include "compare/report/table.h"
 #include "compare/words.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
 namespace {
-
-// Columns padded to their widest cell; the first is aligned left, the others right.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> width;
-    for (const auto& row : rows) {
-        width.resize(std::max(width.size(), row.size()), 0);
-        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
-    }
-    std::string out;
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i)
-            line += i == 0 ? fmt::format("  {:<{}}", row[i], width[i])
-                           : fmt::format("  {:>{}}", row[i], width[i]);
-        line.erase(line.find_last_not_of(' ') + 1);
-        out += line + "\n";
-    }
-    return out;
-}
 
 std::vector<std::string> header(const std::string& first, const Comparison& c) {
     return {first,         "vertices",           "identical",
