@@ -4,6 +4,7 @@ usage: figures.py LOOPCHECK MODELS OUTPUT
 """
 
 import csv
+import json
 import math
 import pathlib
 import subprocess
@@ -86,11 +87,54 @@ def draw_difference(loopcheck, model, output, folder):
     figure.savefig(output, dpi=110)
 
 
+def draw_weights(axes, mesh, weights, title):
+    """A flat mesh with a weight at every vertex: area by size, blue above 0, orange below; sharp edges thick."""
+    points = np.array(mesh["positions"])[:, :2]
+    for triangle in mesh["triangles"]:
+        axes.fill(*points[triangle].T, facecolor="none", edgecolor="0.75", linewidth=0.8, zorder=1)
+    for a, b, sharpness in mesh["sharp_edges"]:
+        axes.plot(*points[[a, b]].T, color="0.25", linewidth=2.4, zorder=2)
+        if sharpness < 10:
+            axes.text(*points[[a, b]].mean(axis=0), f"{sharpness:.3g}", fontsize=7, color="0.25", zorder=5,
+                      bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
+    scale = 900 / max(np.abs(weights).max(), 1e-30)
+    colours = np.where(np.array(weights) < 0, "#d55e00", "#0072b2")
+    axes.scatter(*points.T, s=np.abs(weights) * scale + 3, c=colours, alpha=0.35, linewidths=0, zorder=3)
+    for vertex, sharpness in mesh["sharp_vertices"]:
+        axes.scatter(*points[vertex], s=140, marker="s", facecolors="none", edgecolors="0.25", zorder=4)
+    for point, weight in zip(points, weights):
+        if abs(weight) > 2e-4 * max(np.abs(weights)):
+            axes.text(*point, f"{weight:.4g}", fontsize=7.5, ha="center", va="center", zorder=6)
+    axes.set_title(title, fontsize=9)
+    axes.set_aspect("equal")
+    axes.margins(0.12)
+    axes.set_axis_off()
+
+
+def draw_deviations(loopcheck, output, folder):
+    """For every known deviation the two rows of weights on its smallest mesh."""
+    report = pathlib.Path(folder) / "deviations.json"
+    subprocess.run([loopcheck, "deviations", "--json", report], check=True, stdout=subprocess.DEVNULL)
+    for shown in json.loads(report.read_text())["deviations"]:
+        rows = [(shown["exact"], shown["columns"][0]), (shown["observed"], shown["columns"][1])]
+        figure, both = plt.subplots(1, 2, figsize=(8.4, 4.0))
+        for axes, (weights, title) in zip(both, rows):
+            if len(weights) == 1:
+                title = f"{title}: {weights[0]:.10g}"
+                weights = [0.0] * len(shown["mesh"]["positions"])
+            draw_weights(axes, shown["mesh"], weights, title)
+        figure.suptitle(f"{shown['name']}: {shown['quantity']}", fontsize=9, wrap=True)
+        figure.subplots_adjust(0.01, 0.01, 0.99, 0.86, 0.02, 0)
+        figure.savefig(output / f"{shown['name']}.png", dpi=100)
+        plt.close(figure)
+
+
 def main():
     loopcheck, models, output = sys.argv[1:]
     cow = str(pathlib.Path(models) / "cow.obj")
     with tempfile.TemporaryDirectory() as folder:
         draw_levels(loopcheck, cow, pathlib.Path(output) / "cow-levels.png", folder)
+        draw_deviations(loopcheck, pathlib.Path(output), folder)
         draw_difference(loopcheck, cow, pathlib.Path(output) / "cow-warren.png", folder)
 
 

@@ -31,6 +31,7 @@ using Command = std::function<int(const Context&)>;
 Command add_compare(CLI::App& program);
 Command add_suite(CLI::App& program);
 Command add_refine(CLI::App& program);
+Command add_deviations(CLI::App& program);
 Command add_explain(CLI::App& program);
 Command add_stencils(CLI::App& program);
 Command add_subjects(CLI::App& program);
