@@ -302,17 +302,12 @@ Result<Demonstration> bfr_approximation() {
     const CornerClass valence_5{CornerClass::Kind::Interior, 5};
     const SurfaceWay& way = *find_way("bfr");
     const reference::SurfaceSettings settings{way.method, 2, 6, way.sharpness};
-    MeshData mesh = flat_wheel(5);
-    const auto control = local_mesh(valence_5).value();
-    mesh.positions.assign(control.positions().begin(), control.positions().end());
-    mesh.face_sizes.clear();
-    mesh.face_corners.clear();
-    for (const core::Triangle& t : control.topology().triangles) mesh.add_face(t);
     Demonstration d =
-        shown_on(std::move(mesh), "three rings around a vertex of valence 5",
+        shown_on(flat_disc(5, 3), "three rings around a vertex of valence 5",
                  "position of face 0 at (0.0625, 0.0625), by Bfr at its default levels 2 and 6");
     SchemeOptions options;
     options.boundary = core::BoundaryRule::EdgeOnly;
+    const auto control = mesh_of(d.mesh);
     const core::SurfaceLocation at{0, 0.0625, 0.0625};
     d.exact = exact_surface(control, options, at, Derivative::Position);
     auto observed = observed_surface(control, options, settings, at, Derivative::Position);
@@ -352,10 +347,10 @@ Result<Demonstration> bspline_endcap() {
 // for smooth at the last level.
 Result<Demonstration> crease_taken_for_smooth(float sharpness, std::string in_words,
                                               const reference::SurfaceSettings& settings, std::string by) {
-    constexpr int kRadius = 3;
-    MeshData mesh = flat_hexagon(kRadius);
-    for (int step = -kRadius; step < kRadius; ++step)
-        mesh.creases.push_back({on_line(kRadius, step), on_line(kRadius, step + 1), sharpness});
+    constexpr int kRings = 3;
+    MeshData mesh = flat_disc(6, kRings);
+    for (int step = -kRings; step < kRings; ++step)
+        mesh.creases.push_back({on_line(step), on_line(step + 1), sharpness});
     Demonstration d =
         shown_on(std::move(mesh), fmt::format("a hexagon of the triangular lattice, {}", in_words),
                  fmt::format("limit position of vertex 0, by {}", by));
@@ -386,11 +381,10 @@ Result<Demonstration> sharpness_cut_off() {
 }
 
 Result<Demonstration> bfr_chaikin() {
-    constexpr int kRadius = 3;
-    MeshData mesh = flat_hexagon(kRadius);
+    constexpr int kRings = 3;
+    MeshData mesh = flat_disc(6, kRings);
     const std::array<float, 4> sharpness{0.4F, 0.9F, 2.2F, 3.1F};
-    for (int i = 0; i < 4; ++i)
-        mesh.creases.push_back({on_line(kRadius, i - 2), on_line(kRadius, i - 1), sharpness[i]});
+    for (int i = 0; i < 4; ++i) mesh.creases.push_back({on_line(i - 2), on_line(i - 1), sharpness[i]});
     Demonstration d =
         shown_on(std::move(mesh),
                  "a hexagon of the triangular lattice, edges of sharpness 0.4, 0.9, 2.2 and 3.1 in a "
@@ -401,7 +395,7 @@ Result<Demonstration> bfr_chaikin() {
     options.creasing = core::Creasing::Chaikin;
     const auto control = mesh_of(d.mesh);
     const core::Topology& t = control.topology();
-    const Index far = on_line(kRadius, -1);
+    const Index far = on_line(-1);
     Index face = 0;  // at vertex 0, and not at the far end of the edge in question
     while (t.triangles[face][0] != 0 || t.triangles[face][1] == far || t.triangles[face][2] == far) ++face;
     d.exact = exact_surface(control, options, {face, 0, 0}, Derivative::Position);

@@ -1,10 +1,9 @@
 #include "compare/demonstration_meshes.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numbers>
-#include <utility>
 
 namespace loopcheck::compare {
 namespace {
@@ -40,34 +39,32 @@ MeshData flat_fan(int k) {
     return data;
 }
 
-MeshData flat_hexagon(int radius) {
-    std::map<std::pair<int, int>, Index> number;
-    MeshData data;
-    const auto add = [&](int i, int j) {
-        number[{i, j}] = static_cast<Index>(data.positions.size());
-        data.positions.emplace_back(i + j / 2.0, j * std::sqrt(0.75), 0);
+MeshData flat_disc(int n, int rings) {
+    // Ring r has n r vertices: r to a wedge, the first of each on the spoke.
+    const auto vertex = [n](int r, int wedge, int k) {
+        return r == 0 ? 0 : static_cast<Index>(1 + n * r * (r - 1) / 2 + (wedge * r + k) % (n * r));
     };
-    add(0, 0);
-    for (int i = -radius; i <= radius; ++i)
-        if (i != 0) add(i, 0);
-    for (int j = -radius; j <= radius; ++j)
-        for (int i = -radius; j != 0 && i <= radius; ++i)
-            if (std::abs(i + j) <= radius) add(i, j);
-    for (const auto& [place, v] : number) {
-        const auto at = [&, i = place.first, j = place.second](int di, int dj) {
-            const auto found = number.find({i + di, j + dj});
-            return found == number.end() ? core::kNone : found->second;
-        };
-        const Index right = at(1, 0), up = at(0, 1), down_right = at(1, -1);
-        if (right != core::kNone && up != core::kNone) add_triangle(data, v, right, up);
-        if (right != core::kNone && down_right != core::kNone) add_triangle(data, v, down_right, right);
-    }
+    MeshData data;
+    data.positions.emplace_back(0);
+    for (int r = 1; r <= rings; ++r)
+        for (int wedge = 0; wedge < n; ++wedge)
+            for (int k = 0; k < r; ++k)
+                data.positions.push_back(static_cast<double>(r - k) *
+                                             on_circle(static_cast<double>(wedge) / n) +
+                                         static_cast<double>(k) * on_circle((wedge + 1.0) / n));
+    for (int r = 1; r <= rings; ++r)
+        for (int wedge = 0; wedge < n; ++wedge)
+            for (int k = 0; k < r; ++k) {
+                const Index inner = vertex(r - 1, wedge, k), outer = vertex(r, wedge, k + 1);
+                add_triangle(data, inner, vertex(r, wedge, k), outer);
+                if (k + 1 < r) add_triangle(data, inner, outer, vertex(r - 1, wedge, k + 1));
+            }
     return data;
 }
 
-Index on_line(int radius, int step) {
-    if (step == 0) return 0;
-    return step + radius + (step < 0 ? 1 : 0);
+Index on_line(int step) {
+    const int r = std::abs(step);
+    return r == 0 ? 0 : static_cast<Index>(1 + 3 * r * (r - 1) + (step < 0 ? 3 * r : 0));
 }
 
 MeshData flat_octahedron() {

@@ -11,10 +11,12 @@ core::MeshData flat_wheel(int n);
 /// k faces around vertex 0, which is on the boundary; the ring 1, ..., k + 1 on half the unit circle.
 core::MeshData flat_fan(int k);
 
-/// The triangular lattice up to `radius` steps around vertex 0; the vertices of a straight line through it
-/// are `on_line(radius, -radius)`, ..., `on_line(radius, radius)`.
-core::MeshData flat_hexagon(int radius);
-core::Index on_line(int radius, int step);
+/// n wedges of the triangular lattice around vertex 0, `rings` steps deep.
+core::MeshData flat_disc(int n, int rings);
+
+/// Of `flat_disc(6, rings)`: the vertex so many steps from vertex 0 along a straight line, backwards if
+/// negative.
+core::Index on_line(int step);
 
 /// An octahedron, flattened: valence 4 everywhere.
 core::MeshData flat_octahedron();

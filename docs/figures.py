@@ -95,8 +95,8 @@ def draw_weights(axes, mesh, weights, title):
     for a, b, sharpness in mesh["sharp_edges"]:
         axes.plot(*points[[a, b]].T, color="0.25", linewidth=2.4, zorder=2)
         if sharpness < 10:
-            axes.text(*points[[a, b]].mean(axis=0), f"{sharpness:.3g}", fontsize=7, color="0.25", zorder=5,
-                      bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
+            axes.annotate(f"{sharpness:.3g}", points[[a, b]].mean(axis=0), xytext=(0, -4), va="top", ha="center",
+                          textcoords="offset points", fontsize=7, color="0.25", zorder=5)
     scale = 900 / max(np.abs(weights).max(), 1e-30)
     colours = np.where(np.array(weights) < 0, "#d55e00", "#0072b2")
     axes.scatter(*points.T, s=np.abs(weights) * scale + 3, c=colours, alpha=0.35, linewidths=0, zorder=3)
