@@ -156,17 +156,6 @@ Demonstration shown_on(MeshData mesh, std::string mesh_in_words, std::string qua
     return out;
 }
 
-void judge(Demonstration& d) {
-    d.observed_amount = distance(d.observed, d.exact);
-    if (!d.predicted.empty()) d.predicted_amount = distance(d.predicted, d.exact);
-    const bool right = d.observed_amount <= d.allowed;
-    const bool as_predicted = d.predicted.empty() ? d.observed_amount <= d.predicted_amount
-                                                  : distance(d.observed, d.predicted) <= d.allowed;
-    d.status = right          ? DeviationStatus::Fixed
-               : as_predicted ? DeviationStatus::AsPredicted
-                              : DeviationStatus::New;
-}
-
 // A vertex limit: position, or second tangent, of vertex 0.
 Result<Demonstration> limit_of_vertex_0(Demonstration d, Part part) {
     const SchemeOptions options;
@@ -479,6 +468,14 @@ std::string_view name(DeviationStatus status) {
     return {};
 }
 
+DeviationStatus status_of(const Demonstration& d) {
+    const double off = distance(d.observed, d.exact);
+    if (off <= d.allowed) return DeviationStatus::Fixed;
+    const bool as_predicted =
+        d.predicted.empty() ? off <= d.predicted_amount : distance(d.observed, d.predicted) <= d.allowed;
+    return as_predicted ? DeviationStatus::AsPredicted : DeviationStatus::New;  // also where a weight is NaN
+}
+
 Result<Demonstration> demonstrate(const KnownDeviation& deviation) {
     const auto builder = std::find_if(kBuilders.begin(), kBuilders.end(),
                                       [&](const Builder& b) { return b.name == deviation.name; });
@@ -487,7 +484,9 @@ Result<Demonstration> demonstrate(const KnownDeviation& deviation) {
     auto out = builder->build();
     if (!out) return out;
     out->deviation = &deviation;
-    judge(*out);
+    out->observed_amount = distance(out->observed, out->exact);
+    if (!out->predicted.empty()) out->predicted_amount = distance(out->predicted, out->exact);
+    out->status = status_of(*out);
     return out;
 }
 

@@ -38,6 +38,10 @@ struct Demonstration {
     std::string columns[2] = {"exact", "observed"};  ///< what the two rows are
 };
 
+/// Right, as predicted or neither, from the rows: equal up to `allowed`; where there is no predicted row, at
+/// most the predicted amount apart.
+DeviationStatus status_of(const Demonstration& demonstration);
+
 /// Runs OpenSubdiv on the mesh of a deviation of the list.
 /// Errors  SubjectFailed, Unsupported: those of the adapters.
 core::Result<Demonstration> demonstrate(const KnownDeviation& deviation);
