@@ -175,10 +175,9 @@ def characteristic_map(loopcheck, mesh, points, folder):
 
 def draw_characteristic_maps(loopcheck, output, folder):
     """Two rings of triangles a level, for four levels, around vertices of six kinds."""
-    cases = [("smooth, valence 3", SectorMesh(3, 5, False, False)), ("smooth, valence 5", SectorMesh(5, 5, False, False)),
-             ("smooth, valence 8", SectorMesh(8, 5, False, False)), ("boundary, 4 faces", SectorMesh(4, 5, True, False)),
-             ("dart, valence 5", SectorMesh(5, 5, False, True)),
-             ("boundary, 7 faces: folded", SectorMesh(7, 5, True, False))]
+    cases = [(f"smooth, valence {n}", SectorMesh(n, 5, False, False)) for n in (3, 5, 8)]
+    cases += [("boundary, 4 faces", SectorMesh(4, 5, True, False)), ("dart, valence 5", SectorMesh(5, 5, False, True)),
+              ("boundary, 7 faces: folded", SectorMesh(7, 5, True, False))]
     colours = ["#e3e9f1", "#b4c5da", "#7d9bbd", "#4a6f99"]
     figure, panels = plt.subplots(2, 3, figsize=(9, 5.8))
     for axes, (title, mesh) in zip(panels.flat, cases):
@@ -196,12 +195,12 @@ def draw_characteristic_maps(loopcheck, output, folder):
                 if all(2 <= ring[v] <= 4 for v in face) or (level == 3 and all(ring[v] <= 2 for v in face)):
                     axes.fill(*scaled[face].T, facecolor=colours[level], edgecolor="#333333", linewidth=0.45,
                               alpha=0.55 if folded else 1)
-        for sharp in [t for t in (0, mesh.n) if t == 0 or mesh.open] if mesh.open or mesh.dart else []:
+        for sharp in [0, mesh.n] if mesh.open else [0] if mesh.dart else []:
             line = points[[mesh.index[r, sharp * r] for r in range(5)]]
             axes.plot(*line.T, color="#b3261e", linewidth=1.8)
         axes.plot(0, 0, "o", color="#b3261e" if folded else "black", markersize=3.5)
-        names = f"{factors[0]:.4f}" if abs(factors[0] - factors[1]) < 1e-6 else f"{factors[0]:.4f} and {factors[1]:.4f}"
-        axes.set_title(f"{title}\neach level smaller by {names}", fontsize=9)
+        shown = " and ".join(dict.fromkeys(f"{factor:.4f}" for factor in factors))
+        axes.set_title(f"{title}\neach level smaller by {shown}", fontsize=9)
         axes.set_aspect("equal" if not folded else "auto")
         axes.set_axis_off()
     figure.tight_layout()
@@ -246,13 +245,16 @@ def draw_eigenvalues(output):
                color="#1f4e79", label="wave 1")
     right.plot([k for k in faces if k > 2], [loop_eigenvalue(2 * math.pi / k) for k in faces if k > 2], "^-",
                color="#7a7a7a", label="wave 2")
-    right.plot(faces, [0.5] * len(faces), "s-", color="#b3261e", markersize=4, label="the sharp edges: crease 1/2, corner 1/2 twice")
+    right.plot(faces, [0.5] * len(faces), "s-", color="#b3261e", markersize=4,
+               label="the sharp edges: crease 1/2, corner 1/2 twice")
     right.plot(faces, [0.25] * len(faces), "s--", color="#d98880", markersize=4, label="crease: 1/4")
     right.annotate("corner: from 4 faces on wave 1 wins,\nno normal", (4, loop_eigenvalue(math.pi / 4)), (1.0, 0.645),
                    fontsize=8, arrowprops={"arrowstyle": "->", "linewidth": 0.7})
-    right.annotate("crease: from 7 faces on\nwaves 1 and 2 win, no normal", (7, loop_eigenvalue(2 * math.pi / 7)),
-                   (7.3, 0.35), fontsize=8, arrowprops={"arrowstyle": "->", "linewidth": 0.7})
-    right.set(xlabel="faces k in the sector", title="in a sector of a crease, boundary or corner", xticks=faces, xlim=(0.6, 12.4))
+    right.annotate("crease: from 7 faces on\nwaves 1 and 2 win, no normal",
+                   (7, loop_eigenvalue(2 * math.pi / 7)), (7.3, 0.35), fontsize=8,
+                   arrowprops={"arrowstyle": "->", "linewidth": 0.7})
+    right.set(xlabel="faces k in the sector", title="in a sector of a crease, boundary or corner", xticks=faces,
+              xlim=(0.6, 12.4))
     for axes in (left, right):
         axes.axhline(0.5, color="black", linewidth=0.6, linestyle=":")
         axes.grid(alpha=0.25)
@@ -287,7 +289,8 @@ def draw_twelve_points(output):
         for point, kind in zip(points, kinds):
             phantom = sharp and point[1] < 0
             x, y = lattice(*point)
-            axes.plot(x, y, "o", markersize=9, color=colours[kind], markerfacecolor="white" if phantom else colours[kind])
+            axes.plot(x, y, "o", markersize=9, color=colours[kind],
+                      markerfacecolor="white" if phantom else colours[kind])
             if not sharp:
                 axes.annotate(kind, (x, y), (0, 9), textcoords="offset points", ha="center", fontsize=8,
                               bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
@@ -296,10 +299,11 @@ def draw_twelve_points(output):
             for name, point, offset in [("x", (0, 0), (-11, 8)), ("y", (1, 0), (11, 8)), ("z", (0, 1), (0, 10)),
                                         ("x + y - z", (1, -1), (0, -17))]:
                 axes.annotate(name, lattice(*point), offset, textcoords="offset points", ha="center", fontsize=9)
-            axes.annotate("", lattice(1, -1), lattice(0, 1), arrowprops={"arrowstyle": "->", "linestyle": "--", "color": "#b3261e",
-                                                                         "shrinkA": 8, "shrinkB": 8})
-        axes.set_title("the lower edge is sharp: hollow points are phantoms" if sharp else "a regular triangle and its 12 points",
-                       fontsize=10)
+            axes.annotate("", lattice(1, -1), lattice(0, 1),
+                          arrowprops={"arrowstyle": "->", "linestyle": "--", "color": "#b3261e", "shrinkA": 8,
+                                      "shrinkB": 8})
+        axes.set_title("the lower edge is sharp: hollow points are phantoms" if sharp else
+                       "a regular triangle and its 12 points", fontsize=10)
         axes.set(xlim=(-1.35, 2.35), ylim=(-1.25, 2.1), aspect="equal")
         axes.set_axis_off()
     figure.tight_layout()
@@ -321,16 +325,16 @@ def draw_descent(output):
             polygon = np.array(corners) @ to_plane
             axes.fill(*polygon.T, facecolor=colours[level - 1], edgecolor="#333333", linewidth=0.8)
             if level <= 3:
-                axes.text(*polygon.mean(axis=0), f"level {level}\nchild {child}" if level < 3 else str(child), ha="center",
-                          va="center", fontsize=[10, 8, 7][level - 1], color="black")
+                axes.text(*polygon.mean(axis=0), f"level {level}\nchild {child}" if level < 3 else str(child),
+                          ha="center", va="center", fontsize=[10, 8, 7][level - 1])
         b, c = ab, ca
     axes.fill(*(np.array([a, b, c]) @ to_plane).T, facecolor="#b3261e", linewidth=0)
-    axes.annotate("the irregular corner: never\nregular, but as small as you like", (0.008, 0.008), (-0.12, 0.64), fontsize=9,
-                  arrowprops={"arrowstyle": "->", "linewidth": 0.8})
+    axes.annotate("the irregular corner: never\nregular, but as small as you like", (0.008, 0.008), (-0.12, 0.64),
+                  fontsize=9, arrowprops={"arrowstyle": "->", "linewidth": 0.8})
     point = np.array([0.07, 0.03]) @ to_plane
     axes.plot(*point, "o", color="black", markersize=4)
-    axes.annotate("(u, v) = (0.07, 0.03):\nchild 0 three times, then child 1, regular", point, (0.12, -0.13), fontsize=9,
-                  arrowprops={"arrowstyle": "->", "linewidth": 0.8}, annotation_clip=False)
+    axes.annotate("(u, v) = (0.07, 0.03):\nchild 0 three times, then child 1, regular", point, (0.12, -0.13),
+                  fontsize=9, arrowprops={"arrowstyle": "->", "linewidth": 0.8}, annotation_clip=False)
     axes.set(xlim=(-0.14, 1.02), ylim=(-0.16, 0.9), aspect="equal")
     axes.set_axis_off()
     figure.tight_layout()
