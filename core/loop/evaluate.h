@@ -23,9 +23,10 @@ enum class Smoothness : std::uint8_t {
 
 /// The curvature of the limit surface around a smooth interior vertex of valence n.
 ///
-/// With lambda = 3/8 + cos(2 pi/n)/4 and mu the largest eigenvalue after 1 and lambda, curvature behaves as
-/// (mu/lambda^2)^level: continuous for n = 6, bounded for n = 4 and 5, unbounded for n = 3 and n >= 7.
-/// Source  [Loop87]; tested by the growth of the second derivatives.
+/// With lambda = 3/8 + cos(2 pi/n)/4 and mu the largest eigenvalue after 1 and lambda (of the vertex and two
+/// rings, which matters at n = 3: 1/8), curvature behaves as (mu/lambda^2)^level: continuous for n = 6,
+/// bounded for n = 4 and 5, unbounded for n = 3 and n >= 7. Source  [Loop87]; tested by the growth of the
+/// second derivatives.
 enum class Curvature : std::uint8_t { Continuous, Bounded, Unbounded };
 Curvature curvature_at(int valence);
 

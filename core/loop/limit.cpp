@@ -213,12 +213,16 @@ LimitMasks<High> semi_sharp_masks(const SchemeLevel& level, const SchemeOptions&
     }
     LimitMasks<High> out =
         settled_masks(star_of(part.level.topology, part.level.sharpness, part.kept.front()), options.weights);
-    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-        out.position = over_parent(out.position, *step);
-        for (auto& sector : out.sectors) {
-            sector.tangent1 = over_parent(sector.tangent1, *step);
-            sector.tangent2 = over_parent(sector.tangent2, *step);
-        }
+    const auto carry_back = [&](HighWeights& weights) {
+        for (auto step = steps.rbegin(); step != steps.rend(); ++step) weights = over_parent(weights, *step);
+        // What is 0 in truth may be left as noise.
+        for (High& w : weights)
+            if (abs(w) < High("1e-35")) w = 0;
+    };
+    carry_back(out.position);
+    for (auto& sector : out.sectors) {
+        carry_back(sector.tangent1);
+        carry_back(sector.tangent2);
     }
     return out;
 }
@@ -262,33 +266,28 @@ LimitMasks<Scalar> limit_masks(const Star& star, Weights weights) {
 
 DartTangent dart_tangent(int n, Weights weights) {
     const High b = ring_weight<High>(weights, n);
-    HighWeights l = no_weights(n);
-    High sum;
-    // The vertex's weight is c = cos(phi n/2) here, so that nothing is divided by it at the ends of the
-    // bracket.
-    const auto fill = [&](const High& phi) {
-        const High mu = High(3) / 8 + cos(phi) / 4;
-        const High c = cos(phi * n / 2);
-        sum = 0;
-        for (int i = 1; i < n; ++i) {
-            l[i] = b / (mu - High(5) / 8) * (c - cos(phi * (i - High(n) / 2)));
-            sum += l[i];
-        }
-        l[n] = c;
-        l[0] = 2 * ((mu - 1 + n * b) * c - 3 * sum / 8);
-        return mu;
-    };
+    const auto eigenvalue = [](const High& phi) { return High(High(3) / 8 + cos(phi) / 4); };
+    // The equation times cos(n phi/2), which is 0 near the ends of the bracket.
     const auto residual = [&](const High& phi) {
-        const High mu = fill(phi);
-        return High((mu - High(1) / 2) * l[0] / 2 - (l[1] / 4 + b * l[n]) / 2);
+        const High mu = eigenvalue(phi), half_turn = n * phi / 2;
+        return High(8 * (mu - High(1) / 2) * (mu - High(5) / 8 + n * b) * cos(half_turn) -
+                    b * sin(half_turn) / tan(High(phi / 2)));
     };
     std::uintmax_t iterations = 200;  // about 15 are used
     const int bits = std::numeric_limits<High>::digits - 2;
     const auto [low, high] =
         boost::math::tools::toms748_solve(residual, High(pi() / n), High(299 * pi() / (100 * n)),
                                           boost::math::tools::eps_tolerance<High>(bits), iterations);
-    DartTangent out{fill((low + high) / 2), {}};
-    for (const High& x : l) out.weights.push_back(x / l[n]);
+    const High phi = (low + high) / 2;
+    const High mu = eigenvalue(phi);
+    DartTangent out{mu, no_weights(n)};
+    High sum = 0;
+    for (int i = 1; i < n; ++i) {
+        out.weights[i] = b / (mu - High(5) / 8) * (1 - cos(phi * (i - High(n) / 2)) / cos(n * phi / 2));
+        sum += out.weights[i];
+    }
+    out.weights[0] = 2 * (mu - 1 + n * b) - 3 * sum / 4;
+    out.weights[n] = 1;
     return out;
 }
 

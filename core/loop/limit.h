@@ -67,7 +67,7 @@ extern template LimitMasks<HighPrecision> limit_masks<HighPrecision>(const Star&
 ///
 /// and phi is the only root in (pi/n, 2.99 pi/n) of
 ///
-///     (mu - 1 + n b)(mu - 1/2) - (x_1/4 + b)/2 - 3/8 (mu - 1/2) sum_i x_i = 0.
+///     8 (mu - 1/2) (mu - 5/8 + n b) = b tan(n phi/2) / tan(phi/2).
 ///
 /// n = 6: phi = pi/3, mu = 1/2.  Source  derived in docs/limits.md.
 struct DartTangent {

@@ -62,11 +62,11 @@ std::string sentence(NoNormal reason) {
         case NoNormal::SlowCrease:
             return "In a crease sector of 6 faces the normal converges only logarithmically.";
         case NoNormal::FoldedCrease:
-            return "In a crease sector of 7 or more faces the surface folds.";
+            return "In a crease sector of 7 or more faces the normals of the faces tend to different limits.";
         case NoNormal::SlowCorner:
             return "In a corner sector of 3 faces the normal converges only logarithmically.";
         case NoNormal::FoldedCorner:
-            return "In a corner sector of 4 or more faces the surface folds.";
+            return "In a corner sector of 4 or more faces the normals of the faces tend to different limits.";
     }
     return {};
 }

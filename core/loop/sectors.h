@@ -48,9 +48,9 @@ enum class NoNormal : std::uint8_t {
     ValenceTwo,    ///< two faces glued on all edges at it: the second tangent needs more than the ring
     Cone,          ///< an infinitely sharp vertex without two sharp edges: the tip of a cone
     SlowCrease,    ///< a crease sector of 6 faces: the normal converges only logarithmically
-    FoldedCrease,  ///< a crease sector of 7 or more faces: the surface folds
+    FoldedCrease,  ///< a crease sector of 7 or more faces: normals of the faces tend to different limits
     SlowCorner,    ///< a corner sector of 3 faces: the normal converges only logarithmically
-    FoldedCorner,  ///< a corner sector of 4 or more faces: the surface folds
+    FoldedCorner,  ///< a corner sector of 4 or more faces: normals of the faces tend to different limits
 };
 
 /// The reason as a stable name: "valence-two", "folded-crease".

@@ -39,17 +39,6 @@ const std::vector<std::array<double, 2>>& parameters() {
     return all;
 }
 
-double size_of(const std::vector<double>& weights) {
-    double sum = 0;
-    for (const double w : weights) sum += std::abs(w);
-    return sum;
-}
-std::vector<double> to_doubles(const std::vector<High>& weights) {
-    std::vector<double> out;
-    for (const High& w : weights) out.push_back(static_cast<double>(w));
-    return out;
-}
-
 // A dense row over the control vertices, so that stencils of different columns can be compared.
 std::vector<High> dense(const SurfaceStencil<High>& stencil, Derivative d, Index vertices) {
     std::vector<High> out(vertices, High(0));
@@ -376,12 +365,15 @@ TEST(Curvature, IsContinuousBoundedOrUnboundedByValence) {
             const High gauss = (L * N - M * M) / (E * G - F * F);
             return std::sqrt(static_cast<double>(abs(High(4 * mean * mean - 2 * gauss))));  // of k1^2 + k2^2
         };
-        const double growth = std::pow(curvature(0x1p-30) / curvature(0x1p-20), 0.1);  // a level
+        // Where the distance is small other modes have died out, but at small valences 38 digits run out,
+        // too.
+        const double near = n < 7 ? 0x1p-20 : 0x1p-45;
+        const double growth = std::pow(curvature(near * 0x1p-10) / curvature(near), 0.1);  // a level
         fmt::print("[ OBSERVED ] valence {}: curvature changes {:.6f} times a level\n", n, growth);
         if (curvature_at(n) == Curvature::Unbounded)
             EXPECT_GT(growth, 1.01) << n;
         else
-            EXPECT_NEAR(growth, 1, 0.01) << n;  // 2^-20 from the vertex what else there is has died out
+            EXPECT_NEAR(growth, 1, 0.01) << n;
         EXPECT_EQ(curvature_at(n) == Curvature::Continuous, n == 6);
     }
 }

@@ -263,7 +263,9 @@ TEST(NoNormal, IsSaidWhereAnotherEigenvalueWinsOrTies) {
         EXPECT_EQ(k > 2 && wave(2) > 0.5 + 1e-12, reason(crease) == NoNormal::FoldedCrease) << k;
         EXPECT_EQ(k > 1 && wave(1) > 0.5 + 1e-12, reason(corner) == NoNormal::FoldedCorner) << k;
         // At a tie the power iteration approaches 1/2 like 1/steps.
-        if (reason(corner) != NoNormal::None) EXPECT_GT(competitor(corner), 0.5 - 1e-3) << k;
+        if (reason(corner) != NoNormal::None) {
+            EXPECT_GT(competitor(corner), 0.5 - 1e-3) << k;
+        }
     }
 }
 
