@@ -17,12 +17,24 @@ bool is_semi_sharp(const CornerView& view) {
     return !view.settled;
 }
 
-// An infinitely sharp feature that PatchTable, as it comes, does not keep: all but smooth boundaries of two
-// faces or more and boundary corners of one face.
+// An infinitely sharp vertex that is irregular in another sector: OpenSubdiv refines all its faces.
+bool is_irregular_beyond(const CornerView& view) {
+    if (!view.settled || view.star.sharp.size() < 2) return false;
+    const auto sectors = view.star.sectors();
+    return std::any_of(sectors.begin(), sectors.end(),
+                       [&](const core::Sector& s) { return s.faces != sectors.front().faces; });
+}
+
+// An infinitely sharp feature that PatchTable, as it comes, does not keep: all but smooth boundaries and boundary
+// corners of one face.
 bool is_blurred(const CornerView& view) {
     if (!view.settled || (view.star.sharp.empty() && !view.star.pinned)) return false;
-    const bool plain = view.star.open && view.star.sharp.size() == 2;
-    return !plain || view.star.pinned != (view.sector.faces == 1);
+    return !(view.star.open && view.star.sharp.size() == 2) || (view.star.pinned && view.sector.faces > 1);
+}
+
+// A boundary vertex of one face that is not kept: PatchTable, as it comes, keeps it in the patch of the last level.
+bool is_legacy_corner(const CornerView& view) {
+    return view.settled && view.star.open && !view.star.pinned && view.sector.faces == 1;
 }
 
 bool blurs(const SurfaceSettings& settings) {
@@ -115,10 +127,12 @@ PatchAt FaceWalk::patch_at(double u, double v, const SurfaceSettings& settings) 
     PatchAt out;
     for (;; ++out.depth) {
         const bool blurred = blurs(settings) && node->any(is_blurred);
-        if (node->is_regular() && !blurred) return out;
+        const bool regular = node->is_regular() && !blurred;
+        if (regular && (!node->any(is_irregular_beyond) || out.depth >= settings.smooth_level)) return out;
+        const bool legacy = blurs(settings) && node->any(is_legacy_corner);
         const bool sharp = blurred || node->any(is_semi_sharp);
         if (out.depth >= (sharp ? settings.sharp_level : settings.smooth_level)) {
-            out.kind = blurred ? Kind::Blurred : sharp ? Kind::SemiSharp : Kind::Crowded;
+            out.kind = blurred || legacy ? Kind::Blurred : sharp ? Kind::SemiSharp : Kind::Crowded;
             break;
         }
         above = node;

@@ -42,11 +42,14 @@ double largest_of(const Values& values, int first, int last) {
     return out;
 }
 
-// Between two planes, in degrees; 0 where the exact tangents do not span one.
+// Between two planes, in degrees; 0 where tangents do not span one.
 double angle(const Values& a, const Values& exact) {
     const auto normal = [](const Values& x) { return glm::cross(x[1], x[2]); };
     const glm::dvec3 n = normal(a), m = normal(exact);
-    if (!(glm::length(m) > 1e-9 * glm::length(exact[1]) * glm::length(exact[2]))) return 0;
+    const auto is_degenerate = [](const glm::dvec3& across, const Values& x) {
+        return glm::length(across) <= 1e-9 * glm::length(x[1]) * glm::length(x[2]);
+    };
+    if (is_degenerate(m, exact) || is_degenerate(n, a)) return 0;
     return std::atan2(glm::length(glm::cross(n, m)), std::abs(glm::dot(n, m))) * 180 / std::numbers::pi;
 }
 
@@ -111,7 +114,7 @@ class Judge {
     void judge(const Sample& sample, FaceWalk& walk, const std::optional<core::SurfaceRows>& rows) {
         const auto& [face, u, v] = sample.location;
         const PatchAt patch = walk.patch_at(u, v, settings_of(out_.check));
-        if (patch.kind == PatchAt::Kind::Approximate && patch.corner != sample.corner) return;
+        if (patch.kind == PatchAt::Kind::Approximate && !is_measured(sample, patch)) return;
         SurfaceStats& stats = out_.classes[face_class(walk.classes())];
         ++stats.samples;
         if (!rows) {
@@ -129,6 +132,15 @@ class Judge {
 
   private:
     DeviationCount& count(Id id) { return out_.deviations[static_cast<int>(id)]; }
+
+    // True where `LocalErrors` looked at this place in a patch: around the sample's own corner, and not too near.
+    static bool is_measured(const Sample& sample, const PatchAt& patch) {
+        if (patch.corner != sample.corner) return false;
+        const auto& [face, u, v] = sample.location;
+        const std::array<double, 3> distance{u + v, 1 - u, 1 - v};
+        const double in_parent = std::ldexp(distance[sample.corner], patch.depth - 1);
+        return in_parent == 0 || in_parent > std::ldexp(1, -1 - kAtlasOctaves);
+    }
 
     void report(SurfaceStats& stats, const core::SurfaceRows& rows, const Stencil& exact,
                 const PatchAt& patch) {
