@@ -68,14 +68,15 @@ struct FaceWalk::Node {
     std::array<CornerView, 3> views;
     std::array<CornerClass, 3> classes;
     std::optional<core::Step> step;  // to the children, made when first needed
-    core::Points<double> refined;
+    std::vector<std::vector<double>> step_weights;
     std::array<std::unique_ptr<Node>, 4> children;
 
-    Node(const core::SchemeLevel& level, std::span<const glm::dvec3> points, Index whole_face)
+    template <class PositionOf>
+    Node(const core::SchemeLevel& level, Index whole_face, const PositionOf& position_of)
         : part(core::sublevel_around(level.topology, level.sharpness, level.topology.triangles[whole_face])),
           face(static_cast<Index>(std::lower_bound(part.faces.begin(), part.faces.end(), whole_face) -
                                   part.faces.begin())) {
-        for (const Index v : part.vertices) positions.push_back(points[v]);
+        for (const Index v : part.vertices) positions.push_back(position_of(v));
         for (int i = 0; i < 3; ++i) {
             views[i] = core::view_from(part.level, face, i);
             classes[i] = class_of(views[i]);
@@ -99,7 +100,7 @@ struct FaceWalk::Node {
 
 FaceWalk::FaceWalk(const core::SchemeLevel& control, const core::SchemeOptions& options,
                    std::span<const glm::dvec3> positions, Index face)
-    : options_(options), root_(std::make_unique<Node>(control, positions, face)) {}
+    : options_(options), root_(std::make_unique<Node>(control, face, [&](Index v) { return positions[v]; })) {}
 
 FaceWalk::~FaceWalk() = default;
 
@@ -116,9 +117,18 @@ auto FaceWalk::child(Node& parent, int k) -> Node& {
     if (slot) return *slot;
     if (!parent.step) {
         parent.step = core::next_level(parent.part.level, options_).value();  // never too large: a few faces
-        parent.refined = core::apply<double>(parent.step->rows, options_.weights, parent.positions);
+        parent.step_weights = core::weights_of<double>(parent.step->rows, options_.weights);
     }
-    slot = std::make_unique<Node>(parent.step->child, parent.refined, 4 * parent.face + k);
+    // Not all rows: those between vertices that are not kept mean nothing.
+    const core::Rows& rows = parent.step->rows;
+    const auto position_of = [&](Index v) {
+        const auto columns = rows.columns_of(v);
+        const auto& weights = parent.step_weights[rows.mask_of_row[v]];
+        glm::dvec3 out(0);
+        for (std::size_t j = 0; j < columns.size(); ++j) out += weights[j] * parent.positions[columns[j]];
+        return out;
+    };
+    slot = std::make_unique<Node>(parent.step->child, 4 * parent.face + k, position_of);
     return *slot;
 }
 
