@@ -25,14 +25,15 @@ bool is_irregular_beyond(const CornerView& view) {
                        [&](const core::Sector& s) { return s.faces != sectors.front().faces; });
 }
 
-// An infinitely sharp feature that PatchTable, as it comes, does not keep: all but smooth boundaries and boundary
-// corners of one face.
+// An infinitely sharp feature that PatchTable, as it comes, does not keep: all but smooth boundaries and
+// boundary corners of one face.
 bool is_blurred(const CornerView& view) {
     if (!view.settled || (view.star.sharp.empty() && !view.star.pinned)) return false;
     return !(view.star.open && view.star.sharp.size() == 2) || (view.star.pinned && view.sector.faces > 1);
 }
 
-// A boundary vertex of one face that is not kept: PatchTable, as it comes, keeps it in the patch of the last level.
+// A boundary vertex of one face that is not kept: PatchTable, as it comes, keeps it in the patch of the last
+// level.
 bool is_legacy_corner(const CornerView& view) {
     return view.settled && view.star.open && !view.star.pinned && view.sector.faces == 1;
 }
@@ -100,7 +101,8 @@ struct FaceWalk::Node {
 
 FaceWalk::FaceWalk(const core::SchemeLevel& control, const core::SchemeOptions& options,
                    std::span<const glm::dvec3> positions, Index face)
-    : options_(options), root_(std::make_unique<Node>(control, face, [&](Index v) { return positions[v]; })) {}
+    : options_(options),
+      root_(std::make_unique<Node>(control, face, [&](Index v) { return positions[v]; })) {}
 
 FaceWalk::~FaceWalk() = default;
 

@@ -133,7 +133,8 @@ class Judge {
   private:
     DeviationCount& count(Id id) { return out_.deviations[static_cast<int>(id)]; }
 
-    // True where `LocalErrors` looked at this place in a patch: around the sample's own corner, and not too near.
+    // True where `LocalErrors` looked at this place in a patch: around the sample's own corner, and not too
+    // near.
     static bool is_measured(const Sample& sample, const PatchAt& patch) {
         if (patch.corner != sample.corner) return false;
         const auto& [face, u, v] = sample.location;
