@@ -19,6 +19,9 @@ report differs 1 compare "$source/models/icosahedron.obj" --levels 2 --weights w
 report unsupported 3 compare "$source/models/crease-loop.obj" --levels 1 --with openmesh
 report unreadable 2 compare "$source/models/reject/repeated-vertex.obj"
 report suite 0 suite "$source/models/chaikin-overweight.obj" "$source/models/fan-2.obj" --levels 2
+report atlas 0 atlas --levels 2
+report limit 0 limit "$source/models/icosahedron.obj" --method bfr --samples 8
+report limit-none 3 limit "$source/models/boundary-none.obj" --method bfr
 report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
 
 # The validator must be able to say no.
