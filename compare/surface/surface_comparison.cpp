@@ -159,7 +159,7 @@ class Judge {
     // On a regular triangle: the largest error over its bound, in weights.
     double regular_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
                        const PatchAt& patch, const FaceWalk& walk) {
-        double use = use_of(off, exact, 0, 0);
+        double use = use_of(off, exact, patch.depth, 0, 0);
         if (misses_chaikin(walk) && !(use <= 1)) {
             DeviationCount& seen = count(Id::BfrChaikin);
             ++seen.shown;
@@ -167,8 +167,9 @@ class Judge {
             return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * walk.spread().half);
         }
         if (exact.smoothness != core::Smoothness::Regular) return use;
-        use = larger(use, use_of(off, exact, 1, 2));
-        return larger(use, patch.turn > 0 ? use_of(off, exact, 3, 5) : turned_use(off, rows, exact));
+        use = larger(use, use_of(off, exact, patch.depth, 1, 2));
+        return larger(use, patch.turn > 0 ? use_of(off, exact, patch.depth, 3, 5)
+                                          : turned_use(off, rows, exact, patch.depth));
     }
 
     bool misses_chaikin(const FaceWalk& walk) {
@@ -180,14 +181,16 @@ class Judge {
     }
 
     // Second derivatives of a turned triangle must be those of the opposite sign.
-    double turned_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact) {
+    double turned_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
+                      int depth) {
         Stencil opposite = exact;
         double size = 0;
         for (int d = 3; d <= 5; ++d) {
-            size = std::max(size, size_of(exact.weights[d]) / allowed(exact, d));
+            size = std::max(size, size_of(exact.weights[d]) / allowed(exact, d, depth));
             for (double& w : opposite.weights[d]) w = -w;
         }
-        const double use = use_of(difference(rows, opposite), exact, 3, 5), plain = use_of(off, exact, 3, 5);
+        const double use = use_of(difference(rows, opposite), exact, depth, 3, 5),
+                     plain = use_of(off, exact, depth, 3, 5);
         if (!(size > 2)) return std::min(use, plain);  // too small to have a sign
         DeviationCount& seen = count(Id::SecondDerivativeSign);
         ++seen.expected;
@@ -219,7 +222,7 @@ class Judge {
     }
 
     glm::dvec3 bound_of(const Stencil& exact, const PatchAt& patch, const AtlasError* known, int d) const {
-        const glm::dvec3 rounding(2 * allowed(exact, d) * mesh_.largest_coordinate());
+        const glm::dvec3 rounding(2 * allowed(exact, d, patch.depth) * mesh_.largest_coordinate());
         if (known == nullptr) return (1 + kPatchMagnitude) * patch.spread.half + rounding;
         const double scale = std::ldexp(1., order(d) * (patch.depth - 1));
         return scale * (known->largest[order(d)] * patch.spread.half +
@@ -245,12 +248,13 @@ class Judge {
     }
 
     static int order(int d) { return order_of(static_cast<Derivative>(d)); }
-    static double allowed(const Stencil& exact, int d) {
-        return allowed_rounding(exact, static_cast<Derivative>(d));
+    static double allowed(const Stencil& exact, int d, int depth = 0) {
+        return allowed_rounding(exact, static_cast<Derivative>(d), depth);
     }
-    static double use_of(const core::SurfaceRows& off, const Stencil& exact, int first, int last) {
+    static double use_of(const core::SurfaceRows& off, const Stencil& exact, int depth, int first, int last) {
         double use = 0;
-        for (int d = first; d <= last; ++d) use = larger(use, size_of(off.weights[d]) / allowed(exact, d));
+        for (int d = first; d <= last; ++d)
+            use = larger(use, size_of(off.weights[d]) / allowed(exact, d, depth));
         return use;
     }
 
