@@ -327,10 +327,10 @@ class Run {
         return out;
     }
 
-    // Exact evaluation of a face takes the square of its width.
+    // Evaluation of a face takes up to the cube of its width.
     Index stride() const {
         double work = 0;
-        for (Index f = 0; f < mesh_.face_count(); ++f) work += std::pow(width(f), 2);
+        for (Index f = 0; f < mesh_.face_count(); ++f) work += std::pow(width(f), 3);
         return static_cast<Index>(work / kMostWork) / 2 * 2 + 1;
     }
 

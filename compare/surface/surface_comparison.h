@@ -25,9 +25,9 @@ struct SurfaceCheck {
 reference::SurfaceSettings settings_of(const SurfaceCheck& check);
 inline constexpr int kMostSamples = 100000;
 inline constexpr int kLeastSamples = 6;  ///< a face
-/// Most work on a mesh: the sum over its faces of the squared number of edges around their corners.  Where it
+/// Most work on a mesh: the sum over its faces of the cubed number of edges around their corners.  Where it
 /// is more, only every so many-th face is looked at.
-inline constexpr double kMostWork = 4e6;
+inline constexpr double kMostWork = 2e8;
 
 /// What a face is counted under: its only irregular class, or several.
 struct FaceClass {
