@@ -63,6 +63,7 @@ std::string comparison_as_text(const SurfaceComparison& c) {
         for (const auto& [face_class, stats] : c.classes) rows.push_back(class_line(face_class, stats, c));
         out += table(rows);
     }
+    if (c.stride > 1) out += fmt::format("  one face in {} was looked at\n", c.stride);
     if (c.without_surface > 0) out += fmt::format("  {} faces have no surface\n", c.without_surface);
     out += fmt::format("verdict: {}\n", name(c.verdict));
     for (const std::string& note : c.notes) out += fmt::format("  {}\n", note);

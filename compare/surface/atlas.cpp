@@ -71,6 +71,12 @@ void add(AtlasError& error, const core::SurfaceRows& tested, const core::Surface
     }
 }
 
+// How many of the faces at the vertex are to be looked at: around a smooth vertex or a cone all are alike.
+int different_faces(CornerClass c) {
+    using Kind = CornerClass::Kind;
+    return c.kind == Kind::Interior || c.kind == Kind::Cone || c.kind == Kind::Regular ? 1 : c.faces;
+}
+
 core::Error no_mesh(CornerClass c) {
     return {core::ErrorCode::Unsupported,
             fmt::format("There is no mesh with only one irregular vertex of the class {}.", to_string(c)),
@@ -96,7 +102,7 @@ core::Result<AtlasError> atlas_error(CornerClass c, const reference::SurfaceSett
     auto parameters = crowded_parameters(settings.sharp_level + kAtlasOctaves);
     parameters.push_back({0, 0});
     std::vector<core::SurfaceLocation> locations;
-    for (core::Index f = 0; f < mesh->topology().face_count_at(0); ++f)
+    for (core::Index f = 0; f < different_faces(c); ++f)
         for (const CornerParameter& p : parameters) locations.push_back(location_at(f, 0, p));
     const auto rows = evaluate(*mesh, options, settings, locations);
     if (!rows) return tl::unexpected(rows.error());

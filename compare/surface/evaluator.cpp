@@ -31,7 +31,8 @@ const SurfaceWay* find_way(std::string_view name) {
 }
 
 std::vector<CornerParameter> crowded_parameters(int octaves) {
-    constexpr std::array<double, kRadii> radii{127. / 128, 107. / 128, 91. / 128, 77. / 128, 67. / 128};
+    constexpr std::array<double, kRadii> radii{2039. / 2048, 1709. / 2048, 1447. / 2048, 1229. / 2048,
+                                               1075. / 2048};
     constexpr std::array<double, kDirections> directions{
         0, 1, 65. / 128, 33. / 128, 97. / 128, 17. / 128, 113. / 128, 47. / 128, 81. / 128};
     std::vector<CornerParameter> out;

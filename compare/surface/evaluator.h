@@ -45,7 +45,7 @@ struct CornerParameter {
 ///
 /// Twice a parameter is again one, so those inside the patch of level L around the corner are, as parameters
 /// of that patch, the same for every L.  All are fractions with few bits, exact in every computation, and
-/// none is on an edge of a refined triangle of the first seven octaves below its own, except on the edges of
+/// none is on an edge of a refined triangle of the first ten octaves below its own, except on the edges of
 /// the face itself: every implementation finds it in the same triangle.
 std::vector<CornerParameter> crowded_parameters(int octaves);
 inline constexpr int kRadii = 5;

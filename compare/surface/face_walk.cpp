@@ -17,12 +17,25 @@ bool is_semi_sharp(const CornerView& view) {
     return !view.settled;
 }
 
-// An infinitely sharp feature that PatchTable, as it comes, does not keep: all but smooth boundaries of two
-// faces or more and boundary corners of one face.
+// An infinitely sharp vertex that is irregular in another sector: OpenSubdiv refines all its faces.
+bool is_irregular_beyond(const CornerView& view) {
+    if (!view.settled || view.star.sharp.size() < 2) return false;
+    const auto sectors = view.star.sectors();
+    return std::any_of(sectors.begin(), sectors.end(),
+                       [&](const core::Sector& s) { return s.faces != sectors.front().faces; });
+}
+
+// An infinitely sharp feature that PatchTable, as it comes, does not keep: all but smooth boundaries and
+// boundary corners of one face.
 bool is_blurred(const CornerView& view) {
     if (!view.settled || (view.star.sharp.empty() && !view.star.pinned)) return false;
-    const bool plain = view.star.open && view.star.sharp.size() == 2;
-    return !plain || view.star.pinned != (view.sector.faces == 1);
+    return !(view.star.open && view.star.sharp.size() == 2) || (view.star.pinned && view.sector.faces > 1);
+}
+
+// A boundary vertex of one face that is not kept: PatchTable, as it comes, keeps it in the patch of the last
+// level.
+bool is_legacy_corner(const CornerView& view) {
+    return view.settled && view.star.open && !view.star.pinned && view.sector.faces == 1;
 }
 
 bool blurs(const SurfaceSettings& settings) {
@@ -56,14 +69,15 @@ struct FaceWalk::Node {
     std::array<CornerView, 3> views;
     std::array<CornerClass, 3> classes;
     std::optional<core::Step> step;  // to the children, made when first needed
-    core::Points<double> refined;
+    std::vector<std::vector<double>> step_weights;
     std::array<std::unique_ptr<Node>, 4> children;
 
-    Node(const core::SchemeLevel& level, std::span<const glm::dvec3> points, Index whole_face)
+    template <class PositionOf>
+    Node(const core::SchemeLevel& level, Index whole_face, const PositionOf& position_of)
         : part(core::sublevel_around(level.topology, level.sharpness, level.topology.triangles[whole_face])),
           face(static_cast<Index>(std::lower_bound(part.faces.begin(), part.faces.end(), whole_face) -
                                   part.faces.begin())) {
-        for (const Index v : part.vertices) positions.push_back(points[v]);
+        for (const Index v : part.vertices) positions.push_back(position_of(v));
         for (int i = 0; i < 3; ++i) {
             views[i] = core::view_from(part.level, face, i);
             classes[i] = class_of(views[i]);
@@ -87,7 +101,8 @@ struct FaceWalk::Node {
 
 FaceWalk::FaceWalk(const core::SchemeLevel& control, const core::SchemeOptions& options,
                    std::span<const glm::dvec3> positions, Index face)
-    : options_(options), root_(std::make_unique<Node>(control, positions, face)) {}
+    : options_(options),
+      root_(std::make_unique<Node>(control, face, [&](Index v) { return positions[v]; })) {}
 
 FaceWalk::~FaceWalk() = default;
 
@@ -104,9 +119,18 @@ auto FaceWalk::child(Node& parent, int k) -> Node& {
     if (slot) return *slot;
     if (!parent.step) {
         parent.step = core::next_level(parent.part.level, options_).value();  // never too large: a few faces
-        parent.refined = core::apply<double>(parent.step->rows, options_.weights, parent.positions);
+        parent.step_weights = core::weights_of<double>(parent.step->rows, options_.weights);
     }
-    slot = std::make_unique<Node>(parent.step->child, parent.refined, 4 * parent.face + k);
+    // Not all rows: those between vertices that are not kept mean nothing.
+    const core::Rows& rows = parent.step->rows;
+    const auto position_of = [&](Index v) {
+        const auto columns = rows.columns_of(v);
+        const auto& weights = parent.step_weights[rows.mask_of_row[v]];
+        glm::dvec3 out(0);
+        for (std::size_t j = 0; j < columns.size(); ++j) out += weights[j] * parent.positions[columns[j]];
+        return out;
+    };
+    slot = std::make_unique<Node>(parent.step->child, 4 * parent.face + k, position_of);
     return *slot;
 }
 
@@ -115,10 +139,12 @@ PatchAt FaceWalk::patch_at(double u, double v, const SurfaceSettings& settings) 
     PatchAt out;
     for (;; ++out.depth) {
         const bool blurred = blurs(settings) && node->any(is_blurred);
-        if (node->is_regular() && !blurred) return out;
+        const bool regular = node->is_regular() && !blurred;
+        if (regular && (!node->any(is_irregular_beyond) || out.depth >= settings.smooth_level)) return out;
+        const bool legacy = blurs(settings) && node->any(is_legacy_corner);
         const bool sharp = blurred || node->any(is_semi_sharp);
         if (out.depth >= (sharp ? settings.sharp_level : settings.smooth_level)) {
-            out.kind = blurred ? Kind::Blurred : sharp ? Kind::SemiSharp : Kind::Crowded;
+            out.kind = blurred || legacy ? Kind::Blurred : sharp ? Kind::SemiSharp : Kind::Crowded;
             break;
         }
         above = node;

@@ -39,8 +39,8 @@ struct PatchAt {
 
 /// The refinement of one face of a control mesh, as deep as it was asked for.
 ///
-/// Method  OpenSubdiv refines a triangle while a corner of it is irregular, down to the smooth level, or to
-/// the
+/// Method  OpenSubdiv refines a triangle while a corner of it is irregular, in any of its sectors, down to
+/// the smooth level, or to the
 ///         sharp level where a corner is semi-sharp (PatchTable as it comes: or has an infinitely sharp
 ///         feature that is not a plain boundary).  The children of a triangle are found as in `LimitSurface`.
 class FaceWalk {

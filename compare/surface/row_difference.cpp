@@ -1,5 +1,6 @@
 #include "compare/surface/row_difference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -49,8 +50,11 @@ double larger(double a, double b) {
     return std::isnan(a) || a >= b ? a : b;
 }
 
-double allowed_rounding(const core::SurfaceStencil<double>& exact, core::Derivative derivative) {
-    return kRoundingShares * exact.weight_error[static_cast<int>(derivative)] *
+double allowed_rounding(const core::SurfaceStencil<double>& exact, core::Derivative derivative, int depth) {
+    constexpr ByOrder kBasis{1, 8, 48};
+    const int order = order_of(derivative);
+    const double deep = std::ldexp(kBasis[order] * exact.weight_error[0], order * depth);
+    return kRoundingShares * std::max(exact.weight_error[static_cast<int>(derivative)], deep) *
            core::unit_roundoff(core::Precision::Double);
 }
 

@@ -29,7 +29,10 @@ double larger(double a, double b);
 /// What rounding explains of sum_j |tested - exact|: the error of our own weights, which is proven, and as
 /// much thrice for the tested side, whose way to a regular patch is as long (the same refinement, a basis of
 /// no more roundings) and may go through the control points of a patch in another basis.
-double allowed_rounding(const core::SurfaceStencil<double>& exact, core::Derivative derivative);
+/// `depth` is the level of the tested side's patch, where it may be deeper than ours: the derivatives of a
+/// quartic basis in Bernstein form add up to at most 8 and 48, and each level doubles the parameter.
+double allowed_rounding(const core::SurfaceStencil<double>& exact, core::Derivative derivative,
+                        int depth = 0);
 inline constexpr double kRoundingShares = 4;
 
 }  // namespace loopcheck::compare

@@ -42,11 +42,14 @@ double largest_of(const Values& values, int first, int last) {
     return out;
 }
 
-// Between two planes, in degrees; 0 where the exact tangents do not span one.
+// Between two planes, in degrees; 0 where tangents do not span one.
 double angle(const Values& a, const Values& exact) {
     const auto normal = [](const Values& x) { return glm::cross(x[1], x[2]); };
     const glm::dvec3 n = normal(a), m = normal(exact);
-    if (!(glm::length(m) > 1e-9 * glm::length(exact[1]) * glm::length(exact[2]))) return 0;
+    const auto is_degenerate = [](const glm::dvec3& across, const Values& x) {
+        return glm::length(across) <= 1e-9 * glm::length(x[1]) * glm::length(x[2]);
+    };
+    if (is_degenerate(m, exact) || is_degenerate(n, a)) return 0;
     return std::atan2(glm::length(glm::cross(n, m)), std::abs(glm::dot(n, m))) * 180 / std::numbers::pi;
 }
 
@@ -111,7 +114,7 @@ class Judge {
     void judge(const Sample& sample, FaceWalk& walk, const std::optional<core::SurfaceRows>& rows) {
         const auto& [face, u, v] = sample.location;
         const PatchAt patch = walk.patch_at(u, v, settings_of(out_.check));
-        if (patch.kind == PatchAt::Kind::Approximate && patch.corner != sample.corner) return;
+        if (patch.kind == PatchAt::Kind::Approximate && !is_measured(sample, patch)) return;
         SurfaceStats& stats = out_.classes[face_class(walk.classes())];
         ++stats.samples;
         if (!rows) {
@@ -130,6 +133,16 @@ class Judge {
   private:
     DeviationCount& count(Id id) { return out_.deviations[static_cast<int>(id)]; }
 
+    // True where `LocalErrors` looked at this place in a patch: around the sample's own corner, and not too
+    // near.
+    static bool is_measured(const Sample& sample, const PatchAt& patch) {
+        if (patch.corner != sample.corner) return false;
+        const auto& [face, u, v] = sample.location;
+        const std::array<double, 3> distance{u + v, 1 - u, 1 - v};
+        const double in_parent = std::ldexp(distance[sample.corner], patch.depth - 1);
+        return in_parent == 0 || in_parent > std::ldexp(1, -1 - kAtlasOctaves);
+    }
+
     void report(SurfaceStats& stats, const core::SurfaceRows& rows, const Stencil& exact,
                 const PatchAt& patch) {
         const Values a = values_of(rows, mesh_.positions()), b = values_of(exact, mesh_.positions());
@@ -146,7 +159,7 @@ class Judge {
     // On a regular triangle: the largest error over its bound, in weights.
     double regular_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
                        const PatchAt& patch, const FaceWalk& walk) {
-        double use = use_of(off, exact, 0, 0);
+        double use = use_of(off, exact, patch.depth, 0, 0);
         if (misses_chaikin(walk) && !(use <= 1)) {
             DeviationCount& seen = count(Id::BfrChaikin);
             ++seen.shown;
@@ -154,8 +167,9 @@ class Judge {
             return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * walk.spread().half);
         }
         if (exact.smoothness != core::Smoothness::Regular) return use;
-        use = larger(use, use_of(off, exact, 1, 2));
-        return larger(use, patch.turn > 0 ? use_of(off, exact, 3, 5) : turned_use(off, rows, exact));
+        use = larger(use, use_of(off, exact, patch.depth, 1, 2));
+        return larger(use, patch.turn > 0 ? use_of(off, exact, patch.depth, 3, 5)
+                                          : turned_use(off, rows, exact, patch.depth));
     }
 
     bool misses_chaikin(const FaceWalk& walk) {
@@ -167,14 +181,16 @@ class Judge {
     }
 
     // Second derivatives of a turned triangle must be those of the opposite sign.
-    double turned_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact) {
+    double turned_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
+                      int depth) {
         Stencil opposite = exact;
         double size = 0;
         for (int d = 3; d <= 5; ++d) {
-            size = std::max(size, size_of(exact.weights[d]) / allowed(exact, d));
+            size = std::max(size, size_of(exact.weights[d]) / allowed(exact, d, depth));
             for (double& w : opposite.weights[d]) w = -w;
         }
-        const double use = use_of(difference(rows, opposite), exact, 3, 5), plain = use_of(off, exact, 3, 5);
+        const double use = use_of(difference(rows, opposite), exact, depth, 3, 5),
+                     plain = use_of(off, exact, depth, 3, 5);
         if (!(size > 2)) return std::min(use, plain);  // too small to have a sign
         DeviationCount& seen = count(Id::SecondDerivativeSign);
         ++seen.expected;
@@ -206,7 +222,7 @@ class Judge {
     }
 
     glm::dvec3 bound_of(const Stencil& exact, const PatchAt& patch, const AtlasError* known, int d) const {
-        const glm::dvec3 rounding(2 * allowed(exact, d) * mesh_.largest_coordinate());
+        const glm::dvec3 rounding(2 * allowed(exact, d, patch.depth) * mesh_.largest_coordinate());
         if (known == nullptr) return (1 + kPatchMagnitude) * patch.spread.half + rounding;
         const double scale = std::ldexp(1., order(d) * (patch.depth - 1));
         return scale * (known->largest[order(d)] * patch.spread.half +
@@ -232,12 +248,13 @@ class Judge {
     }
 
     static int order(int d) { return order_of(static_cast<Derivative>(d)); }
-    static double allowed(const Stencil& exact, int d) {
-        return allowed_rounding(exact, static_cast<Derivative>(d));
+    static double allowed(const Stencil& exact, int d, int depth = 0) {
+        return allowed_rounding(exact, static_cast<Derivative>(d), depth);
     }
-    static double use_of(const core::SurfaceRows& off, const Stencil& exact, int first, int last) {
+    static double use_of(const core::SurfaceRows& off, const Stencil& exact, int depth, int first, int last) {
         double use = 0;
-        for (int d = first; d <= last; ++d) use = larger(use, size_of(off.weights[d]) / allowed(exact, d));
+        for (int d = first; d <= last; ++d)
+            use = larger(use, size_of(off.weights[d]) / allowed(exact, d, depth));
         return use;
     }
 
@@ -272,7 +289,8 @@ class Run {
     std::optional<core::Error> faces(const SurfaceProgress& progress) {
         const auto cap = static_cast<int>(kMostSamples / mesh_.face_count());
         const int count = std::min(out_.check.samples, std::max(kLeastSamples, cap));
-        for (Index f = 0; f < mesh_.face_count(); ++f) {
+        out_.stride = stride();
+        for (Index f = 0; f < mesh_.face_count(); f += out_.stride) {
             if (core::no_limit_surface(mesh_, truth_.boundary, f)) {
                 ++out_.without_surface;
                 absent_.push_back({f, 1. / 4, 1. / 4});
@@ -289,7 +307,8 @@ class Run {
             const auto samples =
                 samples_of(f, classes, count, sharp ? out_.check.sharp_level : out_.check.smooth_level);
             waiting_.insert(waiting_.end(), samples.begin(), samples.end());
-            if (waiting_.size() >= kAtOnce)
+            waiting_columns_ += samples.size() * static_cast<std::size_t>(width(f));
+            if (waiting_columns_ >= kAtOnce)
                 if (auto error = judge_waiting()) return error;
             if (progress) progress(f, mesh_.face_count());
         }
@@ -298,7 +317,22 @@ class Run {
     }
 
   private:
-    static constexpr std::size_t kAtOnce = 20000;  // 2 KB each
+    static constexpr std::size_t kAtOnce = 500000;  // columns of rows, about 60 bytes each
+
+    // The edges around the corners of a face.
+    Index width(Index face) const {
+        const core::Topology& t = mesh_.topology();
+        Index out = 0;
+        for (const Index v : t.triangles[face]) out += static_cast<Index>(t.ring(v).size());
+        return out;
+    }
+
+    // Evaluation of a face takes up to the cube of its width.
+    Index stride() const {
+        double work = 0;
+        for (Index f = 0; f < mesh_.face_count(); ++f) work += std::pow(width(f), 3);
+        return static_cast<Index>(work / kMostWork) / 2 * 2 + 1;
+    }
 
     std::optional<core::Error> judge_waiting() {
         if (waiting_.empty()) return std::nullopt;
@@ -316,6 +350,7 @@ class Run {
             judge_.judge(waiting_[i], *walk, (*rows)[i]);
         }
         waiting_.clear();
+        waiting_columns_ = 0;
         return std::nullopt;
     }
 
@@ -336,6 +371,7 @@ class Run {
     const SurfaceEvaluator& evaluate_;
     Judge judge_;
     std::vector<Sample> waiting_;
+    std::size_t waiting_columns_ = 0;
     std::vector<core::SurfaceLocation> absent_;
 };
 

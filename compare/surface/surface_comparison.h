@@ -25,6 +25,9 @@ struct SurfaceCheck {
 reference::SurfaceSettings settings_of(const SurfaceCheck& check);
 inline constexpr int kMostSamples = 100000;
 inline constexpr int kLeastSamples = 6;  ///< a face
+/// Most work on a mesh: the sum over its faces of the cubed number of edges around their corners.  Where it
+/// is more, only every so many-th face is looked at.
+inline constexpr double kMostWork = 2e8;
 
 /// What a face is counted under: its only irregular class, or several.
 struct FaceClass {
@@ -69,6 +72,7 @@ struct SurfaceComparison {
     std::vector<std::string> notes;  ///< the verdict in words, a sentence each
     std::map<FaceClass, SurfaceStats> classes;
     std::array<DeviationCount, kSurfaceDeviations> deviations{};
+    core::Index stride = 1;            ///< every so many-th face was looked at
     std::size_t without_surface = 0;   ///< faces that have none: holes, and boundaries under the option none
     std::size_t unwanted_surface = 0;  ///< faces that have one nevertheless
     bool overweight = false;           ///< chaikin-overweight changes the exact surface here

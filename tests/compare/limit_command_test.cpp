@@ -1,0 +1,189 @@
+// The limit surface of OpenSubdiv on models: right as predicted, and every cheat is seen.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "compare/cli/cli.h"
+#include "compare/report/surface.h"
+#include "tests/compare/support.h"
+#include "tests/support/models.h"
+#include "tests/support/observed.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using core::SurfaceRows;
+using Rows = std::vector<std::optional<SurfaceRows>>;
+
+SurfaceReport report_of(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                        std::string_view way, const SurfaceEvaluator& evaluate, int samples = 24) {
+    SurfaceReport out{"model", 0, 0, {}};
+    SurfaceCheck check{*find_way(way)};
+    check.samples = samples;
+    out.comparisons.push_back(compare_surface_with_rates(mesh, options, check, evaluate));
+    return out;
+}
+
+// OpenSubdiv on a whole run, with its rows changed afterwards where there is only one mesh: the local meshes
+// of the atlas are left alone, as those of a subject that has always been as it is.
+SurfaceEvaluator cheat(const core::TriangleMesh& mesh, std::function<void(Rows&)> spoil) {
+    return [&mesh, spoil = std::move(spoil)](
+               const core::TriangleMesh& asked, const core::SchemeOptions& options,
+               const reference::SurfaceSettings& settings, std::span<const core::SurfaceLocation> locations) {
+        auto rows = reference::opensubdiv_surface(asked, options, settings, locations);
+        if (&asked == &mesh && rows) spoil(*rows);
+        return rows;
+    };
+}
+
+Verdict verdict_of_cheat(const std::string& model, std::function<void(Rows&)> spoil) {
+    const core::TriangleMesh mesh = test::model_mesh(model);
+    const auto report = report_of(mesh, {}, "bfr", cheat(mesh, std::move(spoil)));
+    const Verdict verdict = report.comparisons[0].verdict;
+    EXPECT_EQ(report.exit_code(), exit_code(verdict));
+    return verdict;
+}
+
+TEST(SurfaceComparison, SeesOneWeightThatIsOffOnARegularFace) {
+    EXPECT_EQ(verdict_of_cheat("torus", [](Rows&) {}), Verdict::WithinRounding);
+    EXPECT_EQ(verdict_of_cheat("torus", [](Rows& rows) { rows[3]->weights[0][2] += 1e-9; }),
+              Verdict::Differs);
+    EXPECT_EQ(verdict_of_cheat("torus", [](Rows& rows) { rows[3]->weights[1][2] += 1e-9; }),
+              Verdict::Differs);
+}
+
+TEST(SurfaceComparison, SeesNotANumber) {
+    EXPECT_EQ(verdict_of_cheat("torus", [](Rows& rows) { rows[0]->weights[0][0] = std::nan(""); }),
+              Verdict::Differs);
+    EXPECT_EQ(verdict_of_cheat("icosahedron", [](Rows& rows) { rows.back()->weights[0][0] = std::nan(""); }),
+              Verdict::Differs);
+}
+
+TEST(SurfaceComparison, SeesAMissingSurface) {
+    EXPECT_EQ(verdict_of_cheat("torus", [](Rows& rows) { rows[0].reset(); }), Verdict::Differs);
+}
+
+TEST(SurfaceComparison, SeesAnErrorLargerThanPredicted) {
+    // Twice what OpenSubdiv is off by anyway, at most: a tenth of the mesh is not.
+    EXPECT_EQ(verdict_of_cheat("icosahedron",
+                               [](Rows& rows) {
+                                   for (auto& row : rows) row->weights[0][0] += 0.1;
+                               }),
+              Verdict::Differs);
+}
+
+TEST(SurfaceComparison, SaysWhereADeviationIsMended) {
+    // The sign turned back wherever it can be: exact second derivatives on the triangles that are regular.
+    const core::TriangleMesh mesh = test::model_mesh("icosahedron");
+    core::LimitSurface<double> exact(mesh, {});
+    const SurfaceEvaluator mended = [&](const core::TriangleMesh& asked, const core::SchemeOptions& options,
+                                        const reference::SurfaceSettings& settings,
+                                        std::span<const core::SurfaceLocation> locations) {
+        auto rows = reference::opensubdiv_surface(asked, options, settings, locations);
+        if (&asked != &mesh) return rows;
+        for (std::size_t i = 0; i < locations.size(); ++i) {
+            const auto at = exact.stencil(locations[i].face, locations[i].u, locations[i].v);
+            SurfaceRows truth = core::as_rows(*at);
+            if (at->smoothness == core::Smoothness::Regular && truth.columns == (*rows)[i]->columns)
+                for (int d = 3; d <= 5; ++d) (*rows)[i]->weights[d] = truth.weights[d];
+        }
+        return rows;
+    };
+    const auto report = report_of(mesh, {}, "bfr", mended);
+    EXPECT_EQ(report.comparisons[0].verdict, Verdict::Differs);
+    EXPECT_EQ(report.exit_code(), 1);
+    std::string notes;
+    for (const auto& note : report.comparisons[0].notes) notes += note + "\n";
+    EXPECT_NE(notes.find("second-derivative-sign must show"), std::string::npos) << notes;
+}
+
+TEST(SurfaceComparison, FindsTheSignWhereItIsPredictedAndNowhereElse) {
+    const core::TriangleMesh mesh = test::model_mesh("icosahedron");
+    const auto report = report_of(mesh, {}, "bfr", reference::opensubdiv_surface);
+    const auto& seen =
+        report.comparisons[0].deviations[static_cast<int>(SurfaceDeviationId::SecondDerivativeSign)];
+    EXPECT_GT(seen.expected, 0U);
+    EXPECT_EQ(seen.shown, seen.expected);
+    EXPECT_EQ(report.comparisons[0].verdict, Verdict::KnownDeviation);
+    EXPECT_EQ(report.exit_code(), 0);
+}
+
+// Samples a face: few, and fewer under sanitizers.
+int samples() {
+    return std::getenv("LOOPCHECK_TEST_LEVELS") == nullptr ? 8 : kLeastSamples;
+}
+
+class LimitEveryModel : public testing::TestWithParam<std::string> {};
+
+TEST_P(LimitEveryModel, IsAsPredictedByEveryWay) {
+    const auto model = tests::load_model(GetParam());
+    const bool sanitized = std::getenv("LOOPCHECK_TEST_LEVELS") != nullptr;
+    if (sanitized && model.mesh.vertex_count() > 300) return;
+    if (model.mesh.vertex_count() == 362) return;  // valence 360: minutes in PatchTable
+    for (const SurfaceWay& way : surface_ways()) {
+        if (sanitized && way.name != "bfr" && way.name != "patch-default") continue;
+        const auto report =
+            report_of(model.mesh, model.options, way.name, reference::opensubdiv_surface, samples());
+        const SurfaceComparison& c = report.comparisons[0];
+        if (c.verdict == Verdict::NotSupported) {
+            EXPECT_FALSE(c.notes.empty());
+            continue;
+        }
+        EXPECT_EQ(report.exit_code(), 0) << surface_as_text(report, "");
+        tests::Observed use(model.name + " " + std::string(way.name) + ": error over bound", "class", 1);
+        for (const auto& [face_class, stats] : c.classes) use.add(stats.bound_use, face_class.corner.faces);
+        use.check();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, LimitEveryModel, testing::ValuesIn(tests::model_files()),
+                         tests::model_test_name);
+
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+
+Outcome loopcheck(const std::vector<std::string>& arguments) {
+    std::ostringstream out, err;
+    const int code = run(arguments, built_in_subjects(), out, err);
+    return {code, out.str(), err.str()};
+}
+
+TEST(LimitCommand, ExitsWithTwoOnBadUsage) {
+    const std::string model = test::model_path("icosahedron");
+    const std::vector<std::vector<std::string>> bad{{"limit"},
+                                                    {"limit", "/no/such/file.obj"},
+                                                    {"limit", model, "--method", "nurbs"},
+                                                    {"limit", model, "--samples", "0"},
+                                                    {"limit", model, "--approx-smooth", "0"},
+                                                    {"limit", model, "--approx-sharp", "11"},
+                                                    {"limit", model, "--approx-smooth", "7"},
+                                                    {"atlas", "--levels", "0"},
+                                                    {"atlas", "--levels", "2,x"},
+                                                    {"atlas", "--method", "nurbs"}};
+    for (const auto& arguments : bad) {
+        const auto r = loopcheck(arguments);
+        EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments);
+        EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
+    }
+}
+
+TEST(LimitCommand, ExitsWithThreeWhereNothingCanBeCompared) {
+    EXPECT_EQ(loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"}).code, 3);
+    EXPECT_EQ(loopcheck({"limit", test::model_path("icosahedron"), "--weights", "warren"}).code, 3);
+}
+
+TEST(LimitCommand, SaysWhatItFound) {
+    const auto r =
+        loopcheck({"limit", test::model_path("icosahedron"), "--method", "bfr", "--samples", "12"});
+    EXPECT_EQ(r.code, 0) << r.out;
+    EXPECT_NE(r.out.find("interior 5"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("verdict: known deviation"), std::string::npos) << r.out;
+    EXPECT_EQ(r.err, "");
+}
+
+}  // namespace
+}  // namespace loopcheck::compare
