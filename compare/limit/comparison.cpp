@@ -48,6 +48,13 @@ struct Kept {
     bool deviates = false;  // as predicted
 };
 
+// A vertex of valence 2, whose second tangent the ring says is 0.
+const core::LimitMasks<core::HighPrecision>& valence_two_masks() {
+    static const core::LimitMasks<core::HighPrecision> masks{
+        {0, 0, 1}, {{{0, 2}, NoNormal::ValenceTwo, {1, -1, 0}, {0, 0, 0}}}};
+    return masks;
+}
+
 // One side of one level.
 class SideLevel {
   public:
@@ -75,8 +82,8 @@ class SideLevel {
         else
             out.done = side_.done == side_.witness ? out.truth : done_.limit(v, precision);
         out.position = position_standing(out);
-        out.normal = out.truth.no_normal == NoNormal::ValenceTwo && found.deviation != nullptr
-                         ? noise_standing(out, limits_.tangent2[own])
+        out.normal = out.truth.no_normal == NoNormal::ValenceTwo
+                         ? noise_standing(v, limits_.tangent2[own], found.deviation)
                          : normal_standing(out);
         return out;
     }
@@ -103,14 +110,18 @@ class SideLevel {
             angle_between(j.truth.plane, j.done.plane) > j.truth.plane.bound + j.done.plane.bound);
     }
 
-    // A tangent that is 0 in truth and predicted to be rounding noise: not 0, where that does not underflow,
-    // and within the bound.
-    Standing noise_standing(const Judged& j, const dvec3& tangent) const {
-        if (!is_within(glm::abs(tangent), j.done.tangent2_bound)) return Standing::Wrong;
-        if (tangent != dvec3(0)) return Standing::AsDeviation;
-        const double least = core::unit_roundoff(core::Precision::Double) * largest(j.done.tangent2_bound);
-        return least > core::smallest_subnormal(side_.subject->precision) ? Standing::Vanished
-                                                                          : Standing::Right;
+    // At valence 2 the ring has no second tangent: one that is not 0 but no larger than the rounding errors
+    // of the sum is noise, right nowhere and expected where a deviation says so.  A larger one is from
+    // elsewhere and cannot be judged.
+    Standing noise_standing(Index v, const dvec3& tangent, const KnownDeviation* deviation) {
+        const core::Precision precision = side_.subject->precision;
+        const dvec3 bound = truth_.limit(v, valence_two_masks(), precision).tangent2_bound;
+        const bool listed = deviation != nullptr;
+        if (!is_within(glm::abs(tangent), bound)) return listed ? Standing::Wrong : Standing::Right;
+        if (tangent != dvec3(0)) return listed ? Standing::AsDeviation : Standing::Wrong;
+        const bool underflows = core::unit_roundoff(core::Precision::Double) * largest(bound) <=
+                                core::smallest_subnormal(precision);
+        return listed && !underflows ? Standing::Vanished : Standing::Right;
     }
 
     const LimitSide& side_;
