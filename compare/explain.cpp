@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "compare/matching.h"
-#include "compare/witness.h"
+#include "compare/words.h"
 #include "core/loop/high_precision.h"
 #include "core/mesh/io/number.h"
 
@@ -167,15 +167,6 @@ class Explainer {
     CountFrom from_;
 };
 
-std::string position_in_words(std::string_view who, const glm::dvec3& p) {
-    std::string decimal, hex;
-    for (int i = 0; i < 3; ++i) {
-        decimal += fmt::format("{:<24}", core::shortest(p[i]));
-        hex += " " + core::hexfloat(p[i]);
-    }
-    return fmt::format("  {:<17} {}{}\n", who, decimal, hex);
-}
-
 std::string computed_by(const Subject& subject, const core::TriangleMesh& mesh, const Witness& witness,
                         int level, Index vertex) {
     const auto made = subject.refine(mesh, options_for(subject, witness.options), level);
@@ -187,16 +178,20 @@ std::string computed_by(const Subject& subject, const core::TriangleMesh& mesh, 
 
 }  // namespace
 
+std::optional<core::Error> no_such_vertex(const Witness& witness, int level, Index vertex, CountFrom from) {
+    const Index count = witness.levels[level].scheme.topology.vertex_count;
+    if (vertex >= 0 && vertex < count) return std::nullopt;
+    return core::Error{core::ErrorCode::IndexOutOfRange,
+                       fmt::format("Level {} has the vertices {} to {}.", level, static_cast<int>(from),
+                                   count - 1 + static_cast<Index>(from))};
+}
+
 core::Result<std::string> explain(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
                                   int level, Index vertex, std::span<const Subject> subjects,
                                   CountFrom from) {
     const auto witness = make_witness(mesh, options, level);
     if (!witness) return tl::unexpected(witness.error());
-    const Index count = witness->levels[level].scheme.topology.vertex_count;
-    if (vertex < 0 || vertex >= count)
-        return core::fail(core::ErrorCode::IndexOutOfRange,
-                          fmt::format("Level {} has the vertices {} to {}.", level, static_cast<int>(from),
-                                      count - 1 + static_cast<Index>(from)));
+    if (auto error = no_such_vertex(*witness, level, vertex, from)) return tl::unexpected(*error);
     std::string out = Explainer(*witness, level, vertex, from).text() + "\nposition\n";
     out += position_in_words("exact", witness->levels[level].exact[vertex]);
     for (const Subject& subject : subjects) out += computed_by(subject, mesh, *witness, level, vertex);

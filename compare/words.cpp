@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/io/number.h"
+
 namespace loopcheck::compare {
 namespace {
 
@@ -122,6 +124,15 @@ std::string ancestry_in_words(const VertexRecord& record) {
 
 std::string rule_in_words(const VertexRecord& record) {
     return record.mask ? core::to_string(*record.mask) : std::string("none, it is given");
+}
+
+std::string position_in_words(std::string_view who, const glm::dvec3& p) {
+    std::string decimal, hex;
+    for (int i = 0; i < 3; ++i) {
+        decimal += fmt::format("{:<24}", core::shortest(p[i]));
+        hex += " " + core::hexfloat(p[i]);
+    }
+    return fmt::format("  {:<17} {}{}\n", who, decimal, hex);
 }
 
 }  // namespace loopcheck::compare

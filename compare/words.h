@@ -25,6 +25,9 @@ std::string ancestry_in_words(const VertexRecord& record);
 /// The rule that made it: "vertex point, crease".
 std::string rule_in_words(const VertexRecord& record);
 
+/// A position after a name, as decimals and as hexadecimal fractions.
+std::string position_in_words(std::string_view who, const glm::dvec3& p);
+
 /// A name from outside for a terminal: control characters become '?'.
 std::string printable(std::string name);
 

@@ -40,6 +40,10 @@ void WorkFlags::add_to(CLI::App& command) {
     command.add_option("--levels", levels, "levels of refinement")
         ->capture_default_str()
         ->check(CLI::Range(0, 30));
+    add_memory_to(command);
+}
+
+void WorkFlags::add_memory_to(CLI::App& command) {
     command.add_option("--memory", memory_gib, "GiB that may be used; default: what is available")
         ->check([](const std::string& text) {
             const auto gib = core::parse_double(text);
@@ -129,11 +133,12 @@ int run(const std::vector<std::string>& arguments, std::span<const Subject> subj
         "  loopcheck suite models --jobs 2 --junit suite.xml      every model, boundary option and peer\n"
         "  loopcheck refine cow.obj -o fine.ply --levels 3        the refined mesh\n"
         "  loopcheck explain cow.obj --vertex 17                  the rule at that vertex, and why\n"
+        "  loopcheck stencils cow.obj --limit -o limit.mtx         the limit of every vertex as a matrix\n"
         "\n"
         "Exit codes: 0 agree, 1 differ, 2 bad usage or unreadable input, 3 a subject failed or cannot do "
         "it.");
-    const std::vector<Command> commands{add_compare(program), add_suite(program), add_refine(program),
-                                        add_explain(program), add_subjects(program)};
+    const std::vector<Command> commands{add_compare(program), add_suite(program),    add_refine(program),
+                                        add_explain(program), add_stencils(program), add_subjects(program)};
     try {
         program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {

@@ -32,6 +32,7 @@ Command add_compare(CLI::App& program);
 Command add_suite(CLI::App& program);
 Command add_refine(CLI::App& program);
 Command add_explain(CLI::App& program);
+Command add_stencils(CLI::App& program);
 Command add_subjects(CLI::App& program);
 
 /// The rules as typed: nothing typed means what the model file says, else the default.
@@ -49,6 +50,8 @@ struct WorkFlags {
     bool triangulate = false;
 
     void add_to(CLI::App& command);
+    /// Without --levels.
+    void add_memory_to(CLI::App& command);
     /// In bytes; what is available where nothing was typed.
     double memory_limit() const;
 };

@@ -15,22 +15,29 @@ struct Flags {
     std::string model;
     RuleFlags rules;
     bool triangulate = false;
-    int level = 1;
+    std::optional<int> level;
     core::Index vertex = 0;
-    bool from_one = false;
+    bool from_one = false, limit = false;
 };
 
 int run_explain(const Context& context, const Flags& flags) {
+    const int level = flags.level.value_or(flags.limit ? 0 : 1);
+    if (level == 0 && !flags.limit) {
+        context.err << "A vertex of level 0 is given, and no rule made it; --limit explains its limit.\n";
+        return kExitUsage;
+    }
     const auto model = load_or_complain(context, flags.model, flags.triangulate);
     if (!model) return kExitUsage;
-    if (const auto error = check_memory(model->mesh, flags.level,
-                                        kWitnessBytesPerVertex + kResultBytesPerVertex, available_memory())) {
+    if (const auto error = check_memory(model->mesh, level, kWitnessBytesPerVertex + kResultBytesPerVertex,
+                                        available_memory())) {
         complain(context, flags.model, *error);
         return kExitUsage;
     }
     const CountFrom from = flags.from_one ? CountFrom::One : CountFrom::Zero;
-    const auto text = explain(model->mesh, flags.rules.for_model(model->model), flags.level,
-                              flags.vertex - static_cast<core::Index>(from), context.subjects, from);
+    const core::SchemeOptions options = flags.rules.for_model(model->model);
+    const core::Index vertex = flags.vertex - static_cast<core::Index>(from);
+    const auto text = flags.limit ? explain_limit(model->mesh, options, level, vertex, from)
+                                  : explain(model->mesh, options, level, vertex, context.subjects, from);
     if (!text) {
         complain(context, flags.model, text.error());
         return kExitUsage;
@@ -49,10 +56,12 @@ Command add_explain(CLI::App& program) {
     command->add_option("--vertex", flags->vertex, "the vertex, counted from 0 (or from 1 with --from-one)")
         ->required();
     command
-        ->add_option("--level", flags->level,
-                     "the level it belongs to; level 1 begins with the control vertices' points")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 12));
+        ->add_option(
+            "--level", flags->level,
+            "the level it belongs to; level 1, the default, begins with the control vertices' points; "
+            "with --limit also 0, then the default")
+        ->check(CLI::Range(0, 12));
+    command->add_flag("--limit", flags->limit, "explain its limit: position and tangent masks");
     command->add_flag("--from-one", flags->from_one,
                       "count vertices from 1, like the f lines of an OBJ file");
     command->add_flag("--triangulate", flags->triangulate, "split polygons by a fan from their first corner");

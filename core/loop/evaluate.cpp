@@ -166,7 +166,8 @@ struct LimitSurface<Scalar>::Node {
     SubLevel part;
     Index face = 0;
     std::shared_ptr<const std::vector<Index>> columns;
-    Matrix<Scalar> rows;  // per vertex of the part, over the columns
+    Matrix<Scalar> rows;      // per vertex of the part, over the columns; only of the near ones
+    std::vector<Index> near;  // the corners and their neighbours, as numbers of the part, ascending
     double roundings = 0;
     std::array<CornerView, 3> views;
     std::optional<Patch> patch;  // where all corners are regular
@@ -175,10 +176,15 @@ struct LimitSurface<Scalar>::Node {
     std::array<std::unique_ptr<Node>, 4> children;
 
     // The face of a level, given by the faces around its corners.
-    Node(const SchemeLevel& level, Index whole_face)
-        : part(sublevel_around(level.topology, level.sharpness, level.topology.triangles[whole_face])),
+    Node(const SchemeLevel& level, Index whole_face, Creasing creasing)
+        : part(sublevel_around(
+              level.topology, level.sharpness,
+              vertices_to_keep(level.topology, level.topology.triangles[whole_face], creasing))),
           face(static_cast<Index>(std::lower_bound(part.faces.begin(), part.faces.end(), whole_face) -
                                   part.faces.begin())) {
+        const Topology& t = part.level.topology;
+        near = with_neighbours(t, t.triangles[face]);
+        std::sort(near.begin(), near.end());
         for (int i = 0; i < 3; ++i) views[i] = view_from(part.level, face, i);
         if (std::all_of(views.begin(), views.end(), [](const CornerView& view) { return view.is_regular(); }))
             patch = patch_of(part.level, face, views);
@@ -196,11 +202,15 @@ template <class Scalar>
 void LimitSurface<Scalar>::enter(Index face) {
     if (face == face_) return;
     face_ = face;
-    root_ = std::make_unique<Node>(control_, face);
-    root_->columns = std::make_shared<const std::vector<Index>>(root_->part.vertices);
-    const std::size_t count = root_->columns->size();
-    root_->rows.assign(count, std::vector<Scalar>(count, Scalar(0)));
-    for (std::size_t v = 0; v < count; ++v) root_->rows[v][v] = 1;
+    root_ = std::make_unique<Node>(control_, face, options_.creasing);
+    auto columns = std::make_shared<std::vector<Index>>();
+    root_->rows.resize(root_->part.vertices.size());
+    for (const Index v : root_->near) {
+        root_->rows[v].assign(root_->near.size(), Scalar(0));
+        root_->rows[v][columns->size()] = 1;
+        columns->push_back(root_->part.vertices[v]);
+    }
+    root_->columns = std::move(columns);
 }
 
 template <class Scalar>
@@ -212,13 +222,16 @@ auto LimitSurface<Scalar>::child(Node& parent, int k) -> Node& {
         parent.step_weights = weights_of<Scalar>(parent.step->rows, options_.weights);
     }
     const Rows& rows = parent.step->rows;
-    slot = std::make_unique<Node>(parent.step->child, 4 * parent.face + k);
+    slot = std::make_unique<Node>(parent.step->child, 4 * parent.face + k, options_.creasing);
     slot->columns = parent.columns;
     slot->roundings = parent.roundings + roundings_of(rows, options_.weights);
-    for (const Index v : slot->part.vertices) {
+    slot->rows.resize(slot->part.vertices.size());
+    for (const Index near : slot->near) {
+        const Index v = slot->part.vertices[near];
         const auto& weights = parent.step_weights[rows.mask_of_row[v]];
         const auto columns = rows.columns_of(v);
-        auto& row = slot->rows.emplace_back(parent.columns->size(), Scalar(0));
+        auto& row = slot->rows[near];
+        row.assign(parent.columns->size(), Scalar(0));
         for (std::size_t j = 0; j < columns.size(); ++j) add_scaled(row, weights[j], parent.rows[columns[j]]);
     }
     return *slot;

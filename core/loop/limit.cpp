@@ -200,12 +200,16 @@ std::vector<HighWeights> ring_matrix(const SubLevel& part, const Rows& rows, Wei
 }
 
 LimitMasks<High> semi_sharp_masks(const SchemeLevel& level, const SchemeOptions& options, Index v) {
-    SubLevel part = sublevel_around(level.topology, level.sharpness, std::array{v});
+    const auto part_around = [&](const SchemeLevel& whole, Index vertex) {
+        const auto kept = vertices_to_keep(whole.topology, std::array{vertex}, options.creasing);
+        return sublevel_around(whole.topology, whole.sharpness, kept);
+    };
+    SubLevel part = part_around(level, v);
     std::vector<std::vector<HighWeights>> steps;
     while (has_finite_sharpness(part.level.topology, part.level.sharpness, part.kept.front())) {
         const Step step = next_level(part.level, options).value();  // a ring is never too large
         steps.push_back(ring_matrix(part, step.rows, options.weights));
-        part = sublevel_around(step.child.topology, step.child.sharpness, part.kept);
+        part = part_around(step.child, part.kept.front());
     }
     LimitMasks<High> out =
         settled_masks(star_of(part.level.topology, part.level.sharpness, part.kept.front()), options.weights);

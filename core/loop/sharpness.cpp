@@ -44,7 +44,7 @@ float uniform_decay(float s) {
 }
 
 float chaikin_decay(float s, float semi_sharp_sum, int semi_sharp_count) {
-    if (!is_semi_sharp(s) || semi_sharp_count == 1) return uniform_decay(s);
+    if (!is_semi_sharp(s) || semi_sharp_count <= 1) return uniform_decay(s);
     const float mean_of_others = (semi_sharp_sum - s) / static_cast<float>(semi_sharp_count - 1);
     return std::max(0.0F, 0.75F * s + 0.25F * mean_of_others - 1);
 }

@@ -83,4 +83,20 @@ SubLevel sublevel_around(const Topology& topology, const Sharpness& sharpness, s
     return out;
 }
 
+std::vector<Index> with_neighbours(const Topology& topology, std::span<const Index> vertices) {
+    std::vector<Index> out(vertices.begin(), vertices.end());
+    const auto add = [&](Index v) {
+        if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
+    };
+    for (const Index v : vertices)
+        for (const Index e : topology.ring(v)) add(topology.other_end(e, v));
+    return out;
+}
+
+std::vector<Index> vertices_to_keep(const Topology& topology, std::span<const Index> vertices,
+                                    Creasing creasing) {
+    if (creasing == Creasing::Chaikin) return with_neighbours(topology, vertices);
+    return {vertices.begin(), vertices.end()};
+}
+
 }  // namespace loopcheck::core

@@ -23,4 +23,12 @@ struct SubLevel {
 /// The faces around the given vertices.
 SubLevel sublevel_around(const Topology& topology, const Sharpness& sharpness, std::span<const Index> kept);
 
+/// The given vertices, then those at the other ends of their edges, each once.
+std::vector<Index> with_neighbours(const Topology& topology, std::span<const Index> vertices);
+
+/// What must be kept so that the masks of the given vertices, and of the edges at them, are right for ever:
+/// under Chaikin's rule an edge decays by its neighbours at both ends.
+std::vector<Index> vertices_to_keep(const Topology& topology, std::span<const Index> vertices,
+                                    Creasing creasing);
+
 }  // namespace loopcheck::core

@@ -63,6 +63,7 @@ core::Result<RefinerPtr> make_refiner(const core::TriangleMesh& mesh, const core
                                       std::optional<FaceVaryingTopology> values = std::nullopt);
 
 /// A refiner of the same control mesh, refined to exactly this level with the full topology of every level.
+/// The control mesh stays with `base`, which must live as long.
 ///
 /// Errors   SubjectFailed.
 core::Result<RefinerPtr> refined_uniformly(const Far::TopologyRefiner& base, int levels);

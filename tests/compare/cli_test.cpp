@@ -308,5 +308,58 @@ TEST(CommandLine, ListsSubjectsAndTheVersion) {
     EXPECT_SAYS(help.out, "Exit codes");
 }
 
+TEST(StencilsCommand, WritesTheRowsOfALevelOfTheLimitAndOfAPoint) {
+    const tests::TemporaryFolder folder;
+    const std::string file = folder / "rows.mtx";
+    const auto lines = [&](const std::vector<std::string>& what) {
+        std::vector<std::string> arguments{"stencils", model_path("fan-2"), "-o", file};
+        arguments.insert(arguments.end(), what.begin(), what.end());
+        const auto r = loopcheck(arguments);
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_SAYS(r.out, "row sums right to");
+        std::istringstream in(core::read_file(file).value());
+        std::vector<std::string> out;
+        for (std::string line; std::getline(in, line);) out.push_back(line);
+        EXPECT_EQ(out.front(), "%%MatrixMarket matrix coordinate real general");
+        return std::vector<std::string>(out.begin() + 4, out.end());
+    };
+    // Vertex 0 of two triangles is on the boundary between 1 and 3.
+    EXPECT_EQ(lines({"--level", "1"}).at(0), "9 4 20");
+    const auto limit = lines({"--limit"});
+    EXPECT_EQ(limit.at(0), "4 4 8");
+    EXPECT_EQ(limit.at(1), "1 1 0.6666666666666666");
+    EXPECT_EQ(limit.at(2), "1 2 0.16666666666666666");
+    EXPECT_EQ(limit.at(3), "1 4 0.16666666666666666");
+    EXPECT_EQ(lines({"--at", "0,0,1"}).at(0).substr(0, 4), "6 4 ");
+}
+
+TEST(StencilsCommand, ExitsWithTwoOnWhatItCannotDo) {
+    const std::string model = model_path("hole-closed");
+    const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
+        {{"--at", "0,0.5"}, "--at takes face,u,v"},
+        {{"--at", "0,0.5,0.5,0"}, "--at takes face,u,v"},
+        {{"--at", "-1,0,0"}, "--at takes face,u,v"},
+        {{"--at", "99999999999,0,0"}, "--at takes face,u,v"},
+        {{"--at", "x,0,0"}, "--at takes face,u,v"},
+        {{"--at", "0,nan,0"}, "[outside-domain]"},
+        {{"--at", "0,0.75,0.5"}, "[outside-domain]"},
+        {{"--at", "4711,0,0"}, "[index-out-of-range]"},
+        {{"--level", "1", "--memory", "1e-6"}, "[out-of-memory]"},
+        {{"--level", "1", "--at", "0,0,0"}, "excludes"},
+        {{"-o", model}, "is read or written already"},
+        {{"-o", "/no/such/folder/rows.mtx"}, "[cannot-write]"}};
+    for (const auto& [arguments, message] : bad) {
+        std::vector<std::string> all{"stencils", model};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const auto r = loopcheck(all);
+        EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments);
+        EXPECT_SAYS(r.err, message);
+        EXPECT_EQ(r.out, "");
+    }
+    const auto hole = core::read_model(model).value().data.holes.front();
+    EXPECT_SAYS(loopcheck({"stencils", model, "--at", std::to_string(hole) + ",0,0"}).err,
+                "[no-limit-surface]");
+}
+
 }  // namespace
 }  // namespace loopcheck::compare

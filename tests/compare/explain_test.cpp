@@ -82,5 +82,42 @@ TEST(Explain, KnowsIsolatedVertices) {
     EXPECT_SAYS(explain_vertex("isolated-vertex-last", mesh.vertex_count() - 1), "so it stays where it is");
 }
 
+std::string explain_limit_of(const std::string& model, core::Index vertex, int level = 0,
+                             CountFrom from = CountFrom::Zero) {
+    const auto text = explain_limit(model_mesh(model), {}, level, vertex, from);
+    return text ? *text : core::to_string(text.error());
+}
+
+TEST(ExplainLimit, ShowsTheFractionsOfADart) {
+    const auto text = explain_limit_of("dart-valence-06", 6);
+    EXPECT_SAYS(text, "class: dart");
+    EXPECT_SAYS(text, "7/71");
+    EXPECT_SAYS(text, "110/213");
+    EXPECT_SAYS(text, "two directions that span the tangent plane");
+}
+
+TEST(ExplainLimit, ShowsBothSidesOfACrease) {
+    const auto text = explain_limit_of("crease-loop-irregular", 2);
+    EXPECT_SAYS(text, "class: crease");
+    EXPECT_SAYS(text, "sector 1, ");
+    EXPECT_SAYS(text, "sector 2, ");
+}
+
+TEST(ExplainLimit, SaysWhyThereIsNoNormal) {
+    EXPECT_SAYS(explain_limit_of("boundary-vertex-20-faces", 0), "limit normal: undefined.");
+    EXPECT_SAYS(explain_limit_of("isolated-vertex-last", 12), "It is in no face");
+}
+
+TEST(ExplainLimit, RefinesASemiSharpVertexFirst) {
+    const auto text = explain_limit_of("semi-sharp-vertex-1.5", 8);
+    EXPECT_SAYS(text, "class: semi-sharp");
+    EXPECT_SAYS(text, "its ring was refined until that was gone");
+}
+
+TEST(ExplainLimit, NamesTheVerticesOfTheLevelWhereThereIsNone) {
+    EXPECT_SAYS(explain_limit_of("tetrahedron", 4), "Level 0 has the vertices 0 to 3.");
+    EXPECT_SAYS(explain_limit_of("tetrahedron", -1, 0, CountFrom::One), "Level 0 has the vertices 1 to 4.");
+}
+
 }  // namespace
 }  // namespace loopcheck::compare
