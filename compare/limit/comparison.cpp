@@ -15,17 +15,17 @@ using glm::dvec3;
 
 // What a value is found to be, worst last.
 enum class Standing : std::uint8_t {
-    Right,        // within the bound of the exact value, or of the predicted one where the two are not apart
-    AsDeviation,  // as a known deviation predicts, beyond rounding
+    Right,        // within the bound of the exact value
+    AsDeviation,  // as a known deviation predicts, and not exact too
     Vanished,     // exact where a known deviation predicts otherwise, beyond rounding
     Wrong,
 };
 
 // A value that may be exact or as predicted, the two being apart by more than rounding or not.
 Standing standing(bool exact, bool as_predicted, bool apart) {
-    if (!apart) return exact || as_predicted ? Standing::Right : Standing::Wrong;
-    if (as_predicted) return Standing::AsDeviation;
-    return exact ? Standing::Vanished : Standing::Wrong;
+    if (as_predicted && (apart || !exact)) return Standing::AsDeviation;
+    if (!exact) return Standing::Wrong;
+    return apart ? Standing::Vanished : Standing::Right;
 }
 
 // One side at one vertex.
@@ -93,7 +93,7 @@ class SideLevel {
   private:
     static Standing position_standing(const Judged& j) {
         const bool exact = is_within(distance_from_exact(j.truth, j.observed), j.truth.bound);
-        if (j.deviation == nullptr) return standing(exact, exact, false);
+        if (j.deviation == nullptr) return standing(exact, false, false);
         return standing(
             exact, is_within(distance_from_exact(j.done, j.observed), j.done.bound),
             !is_within(distance_from_exact(j.truth, j.done.position), j.truth.bound + j.done.bound));
@@ -104,7 +104,7 @@ class SideLevel {
         if (!(std::isfinite(j.truth.plane.bound) && std::isfinite(j.done.plane.bound)))
             return Standing::Right;
         const bool exact = angle_between(j.plane, j.truth.plane) <= j.truth.plane.bound;
-        if (j.deviation == nullptr) return standing(exact, exact, false);
+        if (j.deviation == nullptr) return standing(exact, false, false);
         return standing(
             exact, angle_between(j.plane, j.done.plane) <= j.done.plane.bound,
             angle_between(j.truth.plane, j.done.plane) > j.truth.plane.bound + j.done.plane.bound);
