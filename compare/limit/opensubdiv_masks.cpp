@@ -1,7 +1,5 @@
 #include "compare/limit/opensubdiv_masks.h"
 
-#include <boost/math/constants/constants.hpp>
-
 namespace loopcheck::compare {
 namespace {
 
@@ -19,7 +17,7 @@ Masks smooth(const Star& star) {
 }
 
 std::vector<HighPrecision> across_crease(const Star& star, int first, int faces) {
-    const HighPrecision theta = boost::math::constants::pi<HighPrecision>() / faces;
+    const HighPrecision theta = acos(HighPrecision(-1)) / faces;
     const HighPrecision inside = 2 * (1 - cos(theta));
     auto out = no_weights(star);
     for (int i = 1; i < faces; ++i) out[first + i] = inside * sin(i * theta);
