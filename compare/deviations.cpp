@@ -95,6 +95,81 @@ constexpr std::array kDeviations{
         .applies = [](const LimitVertex& v) { return is_settled(v, VertexRule::Smooth) && v.star.ring == 2; },
         .limit_as_done = opensubdiv_limit_masks,
     },
+    KnownDeviation{
+        .name = "bfr-approximation",
+        .family = "opensubdiv",
+        .kind = Kind::Approximation,
+        .what =
+            "Around an irregular vertex the triangles of the last level are approximated by one patch each.",
+        .page = "docs/deviations/bfr-approximation.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "second-derivative-sign",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what = "Second derivatives have the wrong sign where a patch lies in a triangle turned by half a "
+                "circle.",
+        .page = "docs/deviations/second-derivative-sign.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "bspline-endcap",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what =
+            "The box-spline end cap is made with constants of six digits, also in double: its weights do not "
+            "sum to 1.",
+        .page = "docs/deviations/bspline-endcap.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "patchtable-defaults",
+        .family = "opensubdiv",
+        .kind = Kind::Documented,
+        .what = "PatchTable, as it comes, smooths what is infinitely sharp below the sharp level and keeps "
+                "boundary vertices of one face; useInfSharpPatch and generateLegacySharpCornerPatches change "
+                "that.",
+        .page = "docs/deviations/patchtable-defaults.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "sharpness-cut-off",
+        .family = "opensubdiv",
+        .kind = Kind::Documented,
+        .what = "Sharpness that has not decayed one level above the last is approximated with it.",
+        .page = "docs/deviations/sharpness-cut-off.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "bfr-chaikin",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what = "Bfr knows only the sharp edges at the vertices of a face; whether the far half of a Chaikin "
+                "edge "
+                "stays sharp depends on others, and it is taken to.",
+        .page = "docs/deviations/bfr-chaikin.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "uniform-jump",
+        .family = "opensubdiv",
+        .kind = Kind::Documented,
+        .what = "Where two unequal semi-sharp creases meet, the vertex jumps as the sharpness of one passes "
+                "1: the "
+                "share of the crease is the mean over those that end, and then one less ends.  Ours does the "
+                "same.",
+        .page = "docs/deviations/uniform-jump.md",
+        .versions = "3.5.0",
+    },
+    KnownDeviation{
+        .name = "fvar-limit-level-0",
+        .family = "opensubdiv",
+        .kind = Kind::Error,
+        .what = "On an unrefined mesh LimitFaceVarying leaves some of the values at a seam unwritten.",
+        .page = "docs/deviations/fvar-limit-level-0.md",
+        .versions = "3.5.0",
+    },
 };
 
 }  // namespace

@@ -42,7 +42,8 @@ struct KnownDeviation {
     std::string_view page;      ///< in docs/
     std::string_view versions;  ///< of the subject in which it was seen
 
-    // One of the two is set.
+    // At most one of the two is set.  Those at surfaces are predicted by compare/surface, the others are
+    // shown by `demonstrate`.
 
     /// In refinement: the rules the subject really follows when asked for `options`.
     core::SchemeOptions (*as_done)(core::SchemeOptions options) = nullptr;

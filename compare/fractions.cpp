@@ -6,16 +6,15 @@
 
 namespace loopcheck::compare {
 
-std::optional<std::string> as_fraction(const core::HighPrecision& value) {
+std::optional<std::string> as_fraction(const core::HighPrecision& value, const FractionSearch& search) {
     using High = core::HighPrecision;
     const High size = abs(value);
-    const High tolerance = High("1e-30") * (size > 1 ? size : High(1));
-    const High kLargest = 1e6;
+    const High tolerance = search.tolerance * (size > 1 ? size : High(1));
     High p = 1, q = 0, p_before = 0, q_before = 1;  // convergents of the continued fraction
     for (High rest = size;;) {
         const High whole = floor(High(rest + High("1e-20")));
         const High p_next = whole * p + p_before, q_next = whole * q + q_before;
-        if (q_next > kLargest || p_next > High(1e15)) return std::nullopt;
+        if (q_next > search.largest_denominator || p_next > High(1e15)) return std::nullopt;
         p_before = p, p = p_next, q_before = q, q = q_next;
         if (abs(High(size - p / q)) <= tolerance) break;
         rest -= whole;

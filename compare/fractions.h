@@ -8,10 +8,18 @@
 
 namespace loopcheck::compare {
 
-/// The fraction that a 38-digit number stands for, "7/71": the first convergent of its continued fraction
-/// that is within 10^-30 of it (relative, absolute below 1), if its denominator is below 10^6; else nothing.
-///
-/// A number that is no fraction agrees with one of these by chance with a probability below 10^-17.
-std::optional<std::string> as_fraction(const core::HighPrecision& value);
+/// How sure a fraction must be.
+struct FractionSearch {
+    double tolerance;            ///< relative, absolute below 1
+    double largest_denominator;  ///< a number that is none agrees by chance with about the square of it times
+                                 ///< that
+};
+inline constexpr FractionSearch kOf38Digits{1e-30, 1e6};
+inline constexpr FractionSearch kOfDouble{4e-16, 1e3};
+
+/// The fraction that a number stands for, "7/71": the first convergent of its continued fraction that is
+/// within the tolerance; nothing where its denominator would be too large.
+std::optional<std::string> as_fraction(const core::HighPrecision& value,
+                                       const FractionSearch& search = kOf38Digits);
 
 }  // namespace loopcheck::compare

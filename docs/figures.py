@@ -4,6 +4,7 @@ usage: figures.py LOOPCHECK MODELS OUTPUT
 """
 
 import csv
+import json
 import math
 import pathlib
 import subprocess
@@ -86,12 +87,315 @@ def draw_difference(loopcheck, model, output, folder):
     figure.savefig(output, dpi=110)
 
 
+def draw_weights(axes, mesh, weights, title):
+    """A flat mesh with a weight at every vertex: area by size, blue above 0, orange below; sharp edges thick."""
+    points = np.array(mesh["positions"])[:, :2]
+    for triangle in mesh["triangles"]:
+        axes.fill(*points[triangle].T, facecolor="none", edgecolor="0.75", linewidth=0.8, zorder=1)
+    for a, b, sharpness in mesh["sharp_edges"]:
+        axes.plot(*points[[a, b]].T, color="0.25", linewidth=2.4, zorder=2)
+        if sharpness < 10:
+            axes.annotate(f"{sharpness:.3g}", points[[a, b]].mean(axis=0), xytext=(0, -4), va="top", ha="center",
+                          textcoords="offset points", fontsize=7, color="0.25", zorder=5)
+    scale = 900 / max(np.abs(weights).max(), 1e-30)
+    colours = np.where(np.array(weights) < 0, "#d55e00", "#0072b2")
+    axes.scatter(*points.T, s=np.abs(weights) * scale + 3, c=colours, alpha=0.35, linewidths=0, zorder=3)
+    for vertex, sharpness in mesh["sharp_vertices"]:
+        axes.scatter(*points[vertex], s=140, marker="s", facecolors="none", edgecolors="0.25", zorder=4)
+    for point, weight in zip(points, weights):
+        if abs(weight) > 2e-4 * max(np.abs(weights)):
+            axes.text(*point, f"{weight:.4g}", fontsize=7.5, ha="center", va="center", zorder=6)
+    axes.set_title(title, fontsize=9)
+    axes.set_aspect("equal")
+    axes.margins(0.12)
+    axes.set_axis_off()
+
+
+def draw_deviations(loopcheck, output, folder):
+    """For every known deviation the two rows of weights on its smallest mesh."""
+    report = pathlib.Path(folder) / "deviations.json"
+    subprocess.run([loopcheck, "deviations", "--json", report], check=True, stdout=subprocess.DEVNULL)
+    for shown in json.loads(report.read_text())["deviations"]:
+        rows = [(shown["exact"], shown["columns"][0]), (shown["observed"], shown["columns"][1])]
+        figure, both = plt.subplots(1, 2, figsize=(8.4, 4.0))
+        for axes, (weights, title) in zip(both, rows):
+            if len(weights) == 1:
+                title = f"{title}: {weights[0]:.10g}"
+                weights = [0.0] * len(shown["mesh"]["positions"])
+            draw_weights(axes, shown["mesh"], weights, title)
+        figure.suptitle(f"{shown['name']}: {shown['quantity']}", fontsize=9, wrap=True)
+        figure.subplots_adjust(0.01, 0.01, 0.99, 0.86, 0.02, 0)
+        figure.savefig(output / f"{shown['name']}.png", dpi=100)
+        plt.close(figure)
+
+
+class SectorMesh:
+    """The vertex and `rings` rings of it: n triangular sectors, all around or, if open, from edge 0 to edge n.
+
+    A vertex is named by its ring r and its place t in it, sector * r + steps.
+    """
+
+    def __init__(self, n, rings, is_open, dart):
+        self.n, self.rings, self.open, self.dart = n, rings, is_open, dart
+        self.index, self.faces, self.edges = {}, [], {}
+        for s in range(n):
+            for i in range(rings):
+                for j in range(rings - i):
+                    self._add(s, [(i, j), (i + 1, j), (i, j + 1)])
+                    if i + j < rings - 1:
+                        self._add(s, [(i + 1, j), (i + 1, j + 1), (i, j + 1)])
+
+    def name(self, s, i, j):
+        r = i + j
+        t = s * r + j
+        return r, t if self.open or r == 0 else t % (self.n * r)
+
+    def _add(self, s, corners):
+        names = [self.name(s, *c) for c in corners]
+        self.faces.append([self.index.setdefault(name, len(self.index)) for name in names])
+        for k in range(3):  # edges are numbered as they are first met, and named by twice their middle
+            (i, j), (x, y) = corners[k], corners[(k + 1) % 3]
+            self.edges.setdefault(self.name(s, i + x, j + y), len(self.edges))
+
+    def start(self):
+        """A regular polygon around the vertex; half of one if open."""
+        points = np.zeros((len(self.index), 2))
+        turn = (1 if self.open else 2) * math.pi / self.n
+        for (r, t), v in self.index.items():
+            s, j = divmod(t, r) if r else (0, 0)
+            for weight, angle in ((r - j, turn * s), (j, turn * (s + 1))):
+                points[v] += weight * np.array([math.cos(angle), math.sin(angle)])
+        return points
+
+    def write(self, path, points):
+        lines = [f"v {x!r} {y!r} 0" for x, y in points.tolist()]
+        lines += ["f " + " ".join(str(v + 1) for v in face) for face in self.faces]
+        if self.dart:
+            ends = [self.index[r, 0] for r in range(self.rings + 1)]
+            pairs = " ".join(f"{a} {b}" for a, b in zip(ends, ends[1:]))
+            lines.append(f"t crease {2 * self.rings}/1/0 {pairs} 10")
+        pathlib.Path(path).write_text("\n".join(lines) + "\n")
+
+    def refined(self, loopcheck, points, folder):
+        """The same rings, one level later."""
+        control, fine = pathlib.Path(folder) / "rings.obj", pathlib.Path(folder) / "fine.obj"
+        self.write(control, points)
+        subprocess.run([loopcheck, "refine", control, "-o", fine, "--levels", "1", "--boundary", "edge-only"],
+                       check=True, stdout=subprocess.DEVNULL)
+        vertices, _ = read_obj(fine)
+        out = np.zeros_like(points)
+        for (r, t), v in self.index.items():
+            old = self.index.get((r // 2, t // 2)) if r % 2 == 0 and t % 2 == 0 else None
+            child = len(points) + self.edges[r, t] if old is None else old
+            out[v] = vertices[child, :2]
+        return out
+
+    def limits(self, loopcheck, points, folder):
+        """Right for all but the last ring."""
+        control = pathlib.Path(folder) / "rings.obj"
+        self.write(control, points)
+        text = subprocess.run([loopcheck, "stencils", control, "--limit", "--boundary", "edge-only"], check=True,
+                              capture_output=True, text=True).stdout
+        rows = np.array([line.split() for line in text.splitlines() if line[0] != "%"][1:], dtype=float)
+        out = np.zeros_like(points)
+        np.add.at(out, rows[:, 0].astype(int) - 1, rows[:, 2:] * points[rows[:, 1].astype(int) - 1])
+        return out
+
+
+def characteristic_map(loopcheck, mesh, points, folder):
+    """The rings in the plane of the tangents, and the eigenvalue of each axis, by refining again and again."""
+    centre = mesh.index[0, 0]
+    for _ in range(60):
+        points = points - mesh.limits(loopcheck, points, folder)[centre]
+        points = points / np.abs(points).max(axis=0)
+        refined = mesh.refined(loopcheck, points, folder)
+        factors = np.abs(refined - mesh.limits(loopcheck, refined, folder)[centre]).max(axis=0)
+        points = refined
+    limits = mesh.limits(loopcheck, points, folder)
+    limits = (limits - limits[centre]) / np.abs(limits - limits[centre]).max(axis=0)
+    return limits, factors
+
+
+def draw_characteristic_maps(loopcheck, output, folder):
+    """Two rings of triangles a level, for four levels, around vertices of six kinds."""
+    cases = [(f"smooth, valence {n}", SectorMesh(n, 5, False, False)) for n in (3, 5, 8)]
+    cases += [("boundary, 4 faces", SectorMesh(4, 5, True, False)), ("dart, valence 5", SectorMesh(5, 5, False, True)),
+              ("boundary, 7 faces: folded", SectorMesh(7, 5, True, False))]
+    colours = ["#e3e9f1", "#b4c5da", "#7d9bbd", "#4a6f99"]
+    figure, panels = plt.subplots(2, 3, figsize=(9, 5.8))
+    for axes, (title, mesh) in zip(panels.flat, cases):
+        start = mesh.start()
+        folded = mesh.open and mesh.n == 7
+        if folded:  # the two waves that win, which are 0 on the boundary
+            for (r, t), v in mesh.index.items():
+                angle = math.pi * t / (mesh.n * r) if r else 0
+                start[v] = r * np.array([math.sin(angle), math.sin(2 * angle)])
+        points, factors = characteristic_map(loopcheck, mesh, start, folder)
+        ring = {v: r for (r, _), v in mesh.index.items()}
+        for level in range(4):
+            scaled = points * factors**level
+            for face in mesh.faces:
+                if all(2 <= ring[v] <= 4 for v in face) or (level == 3 and all(ring[v] <= 2 for v in face)):
+                    axes.fill(*scaled[face].T, facecolor=colours[level], edgecolor="#333333", linewidth=0.45,
+                              alpha=0.55 if folded else 1)
+        for sharp in [0, mesh.n] if mesh.open else [0] if mesh.dart else []:
+            line = points[[mesh.index[r, sharp * r] for r in range(5)]]
+            axes.plot(*line.T, color="#b3261e", linewidth=1.8)
+        axes.plot(0, 0, "o", color="#b3261e" if folded else "black", markersize=3.5)
+        shown = " and ".join(dict.fromkeys(f"{factor:.4f}" for factor in factors))
+        axes.set_title(f"{title}\neach level smaller by {shown}", fontsize=9)
+        axes.set_aspect("equal" if not folded else "auto")
+        axes.set_axis_off()
+    figure.tight_layout()
+    figure.savefig(output, dpi=80)
+    plt.close(figure)
+
+
+def loop_eigenvalue(turn):
+    return 3 / 8 + math.cos(turn) / 4
+
+
+def dart_eigenvalue(n):
+    """The even tangent's: bisection of 8 (mu - 1/2)(mu - lambda^2) = b tan(n phi/2) / tan(phi/2)."""
+    bowl = loop_eigenvalue(2 * math.pi / n)**2
+
+    def excess(phi):
+        mu = loop_eigenvalue(phi)
+        return (8 * (mu - 0.5) * (mu - bowl) - (0.625 - bowl) / n * math.tan(n * phi / 2) / math.tan(phi / 2))
+
+    low, high = math.pi / n * (1 + 1e-9), min(math.pi, 3 * math.pi / n) * (1 - 1e-9)
+    for _ in range(80):
+        middle = (low + high) / 2
+        low, high = (middle, high) if excess(middle) > 0 else (low, middle)
+    return loop_eigenvalue(low)
+
+
+def draw_eigenvalues(output):
+    """Which eigenvalues are the largest after 1: around smooth vertices and darts, and in a sector."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.9), sharey=True)
+    valences = range(3, 17)
+    smooth = [loop_eigenvalue(2 * math.pi / n) for n in valences]
+    left.plot(valences, smooth, "o-", color="#1f4e79", label="smooth and dart: tangents, lambda")
+    left.plot(valences, [dart_eigenvalue(n) for n in valences], "D-", color="#b3261e", markersize=5,
+              label="dart: even tangent")
+    left.plot(valences, [x * x for x in smooth], "s--", color="#6c8ebf", markersize=4, label="smooth: bowl, lambda^2")
+    left.plot(valences[1:], [loop_eigenvalue(4 * math.pi / n) for n in valences[1:]], "^--", color="#7a7a7a",
+              markersize=4, label="smooth: saddle, wave 2")
+    left.set(xlabel="valence n", title="around a vertex", ylabel="eigenvalue", xticks=range(3, 17, 1))
+    faces = range(1, 13)
+    right.axvspan(6.5, 12.4, color="#b3261e", alpha=0.08, linewidth=0)
+    right.plot([k for k in faces if k > 1], [loop_eigenvalue(math.pi / k) for k in faces if k > 1], "o-",
+               color="#1f4e79", label="wave 1")
+    right.plot([k for k in faces if k > 2], [loop_eigenvalue(2 * math.pi / k) for k in faces if k > 2], "^-",
+               color="#7a7a7a", label="wave 2")
+    right.plot(faces, [0.5] * len(faces), "s-", color="#b3261e", markersize=4,
+               label="the sharp edges: crease 1/2, corner 1/2 twice")
+    right.plot(faces, [0.25] * len(faces), "s--", color="#d98880", markersize=4, label="crease: 1/4")
+    right.annotate("corner: from 4 faces on wave 1 wins,\nno normal", (4, loop_eigenvalue(math.pi / 4)), (1.0, 0.645),
+                   fontsize=8, arrowprops={"arrowstyle": "->", "linewidth": 0.7})
+    right.annotate("crease: from 7 faces on\nwaves 1 and 2 win, no normal",
+                   (7, loop_eigenvalue(2 * math.pi / 7)), (7.3, 0.35), fontsize=8,
+                   arrowprops={"arrowstyle": "->", "linewidth": 0.7})
+    right.set(xlabel="faces k in the sector", title="in a sector of a crease, boundary or corner", xticks=faces,
+              xlim=(0.6, 12.4))
+    for axes in (left, right):
+        axes.axhline(0.5, color="black", linewidth=0.6, linestyle=":")
+        axes.grid(alpha=0.25)
+        axes.set_ylim(0, 0.72)
+        axes.legend(fontsize=7.5, loc="lower right")
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
+def lattice(i, j):
+    """Points (i, j) of the triangular lattice."""
+    return np.array([i + j / 2, j * math.sqrt(3) / 2])
+
+
+def draw_twelve_points(output):
+    """The points of a regular triangle; where its lower edge is sharp, those beyond it are phantoms."""
+    corners = [(0, 0), (1, 0), (0, 1)]
+    points = corners + [(1, -1), (1, 1), (-1, 1), (-1, 0), (0, -1), (2, -1), (2, 0), (0, 2), (-1, 2)]
+    kinds = ["corner"] * 3 + ["across"] * 3 + ["outer"] * 6
+    colours = {"corner": "#1f4e79", "across": "#2e7d32", "outer": "#8d6e63"}
+    triangles = [[(i, j), (i + 1, j), (i, j + 1)] for i in range(-2, 3) for j in range(-2, 3)]
+    triangles += [[(i + 1, j), (i + 1, j + 1), (i, j + 1)] for i in range(-2, 3) for j in range(-2, 3)]
+    figure, panels = plt.subplots(1, 2, figsize=(9.6, 4.3))
+    for sharp, axes in enumerate(panels):
+        for triangle in triangles:
+            if all(c in points for c in triangle):
+                beyond = sharp and min(j for _, j in triangle) < 0
+                axes.fill(*np.array([lattice(*c) for c in triangle]).T, linewidth=0.8,
+                          facecolor="#cfe0f3" if triangle == corners else "none", edgecolor="#999999",
+                          linestyle=":" if beyond else "-")
+        for point, kind in zip(points, kinds):
+            phantom = sharp and point[1] < 0
+            x, y = lattice(*point)
+            axes.plot(x, y, "o", markersize=9, color=colours[kind],
+                      markerfacecolor="white" if phantom else colours[kind])
+            if not sharp:
+                axes.annotate(kind, (x, y), (0, 9), textcoords="offset points", ha="center", fontsize=8,
+                              bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
+        if sharp:
+            axes.plot(*np.array([lattice(-1, 0), lattice(2, 0)]).T, color="#b3261e", linewidth=2.2, zorder=0)
+            for name, point, offset in [("x", (0, 0), (-11, 8)), ("y", (1, 0), (11, 8)), ("z", (0, 1), (0, 10)),
+                                        ("x + y - z", (1, -1), (0, -17))]:
+                axes.annotate(name, lattice(*point), offset, textcoords="offset points", ha="center", fontsize=9)
+            axes.annotate("", lattice(1, -1), lattice(0, 1),
+                          arrowprops={"arrowstyle": "->", "linestyle": "--", "color": "#b3261e", "shrinkA": 8,
+                                      "shrinkB": 8})
+        axes.set_title("the lower edge is sharp: hollow points are phantoms" if sharp else
+                       "a regular triangle and its 12 points", fontsize=10)
+        axes.set(xlim=(-1.35, 2.35), ylim=(-1.25, 2.1), aspect="equal")
+        axes.set_axis_off()
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
+def draw_descent(output):
+    """A triangle with one irregular corner: what is regular at each level, and the way to a point near the corner."""
+    a, b, c = np.array([0.0, 0.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])
+    to_plane = np.array([[1.0, 0.0], [0.5, math.sqrt(3) / 2]])
+    figure, axes = plt.subplots(figsize=(7.2, 5.0))
+    colours = plt.get_cmap("Blues")(np.linspace(0.12, 0.75, 6))
+    for level in range(1, 7):
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        for child, corners in enumerate([(a, ab, ca), (ab, b, bc), (ca, bc, c), (bc, ca, ab)]):
+            if child == 0:
+                continue
+            polygon = np.array(corners) @ to_plane
+            axes.fill(*polygon.T, facecolor=colours[level - 1], edgecolor="#333333", linewidth=0.8)
+            if level <= 3:
+                axes.text(*polygon.mean(axis=0), f"level {level}\nchild {child}" if level < 3 else str(child),
+                          ha="center", va="center", fontsize=[10, 8, 7][level - 1])
+        b, c = ab, ca
+    axes.fill(*(np.array([a, b, c]) @ to_plane).T, facecolor="#b3261e", linewidth=0)
+    axes.annotate("the irregular corner: never\nregular, but as small as you like", (0.008, 0.008), (-0.12, 0.64),
+                  fontsize=9, arrowprops={"arrowstyle": "->", "linewidth": 0.8})
+    point = np.array([0.07, 0.03]) @ to_plane
+    axes.plot(*point, "o", color="black", markersize=4)
+    axes.annotate("(u, v) = (0.07, 0.03):\nchild 0 three times, then child 1, regular", point, (0.12, -0.13),
+                  fontsize=9, arrowprops={"arrowstyle": "->", "linewidth": 0.8}, annotation_clip=False)
+    axes.set(xlim=(-0.14, 1.02), ylim=(-0.16, 0.9), aspect="equal")
+    axes.set_axis_off()
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
 def main():
     loopcheck, models, output = sys.argv[1:]
     cow = str(pathlib.Path(models) / "cow.obj")
     with tempfile.TemporaryDirectory() as folder:
         draw_levels(loopcheck, cow, pathlib.Path(output) / "cow-levels.png", folder)
+        draw_deviations(loopcheck, pathlib.Path(output), folder)
         draw_difference(loopcheck, cow, pathlib.Path(output) / "cow-warren.png", folder)
+        draw_characteristic_maps(loopcheck, pathlib.Path(output) / "characteristic-maps.png", folder)
+    draw_eigenvalues(pathlib.Path(output) / "eigenvalues.png")
+    draw_twelve_points(pathlib.Path(output) / "twelve-points.png")
+    draw_descent(pathlib.Path(output) / "descent.png")
 
 
 if __name__ == "__main__":

@@ -133,11 +133,16 @@ int run(const std::vector<std::string>& arguments, std::span<const Subject> subj
         "  loopcheck suite models --jobs 2 --junit suite.xml      every model, boundary option and peer\n"
         "  loopcheck refine cow.obj -o fine.ply --levels 3        the refined mesh\n"
         "  loopcheck explain cow.obj --vertex 17                  the rule at that vertex, and why\n"
-        "  loopcheck stencils cow.obj --limit -o limit.mtx         the limit of every vertex as a matrix\n"
+        "  loopcheck limit models/cow.obj                         OpenSubdiv's surfaces against the exact "
+        "one\n"
+        "  loopcheck atlas                                        how far they are off at each kind of "
+        "vertex\n"
+        "  loopcheck stencils cow.obj --limit -o limit.mtx        the limit of every vertex as a matrix\n"
         "\n"
         "Exit codes: 0 agree, 1 differ, 2 bad usage or unreadable input, 3 a subject failed or cannot do "
         "it.");
     const std::vector<Command> commands{add_compare(program), add_suite(program),    add_refine(program),
+                                        add_limit(program),   add_atlas(program),    add_deviations(program),
                                         add_explain(program), add_stencils(program), add_subjects(program)};
     try {
         program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

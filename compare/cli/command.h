@@ -31,9 +31,12 @@ using Command = std::function<int(const Context&)>;
 Command add_compare(CLI::App& program);
 Command add_suite(CLI::App& program);
 Command add_refine(CLI::App& program);
+Command add_deviations(CLI::App& program);
 Command add_explain(CLI::App& program);
 Command add_stencils(CLI::App& program);
 Command add_subjects(CLI::App& program);
+Command add_limit(CLI::App& program);
+Command add_atlas(CLI::App& program);
 
 /// The rules as typed: nothing typed means what the model file says, else the default.
 struct RuleFlags {

@@ -1,26 +1,52 @@
 // loopcheck explain: why a vertex is where it is.
 #include "compare/explain.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
 #include "compare/cli/command.h"
+#include "compare/demonstration.h"
 #include "compare/memory.h"
 #include "compare/witness.h"
+#include "compare/words.h"
 
 namespace loopcheck::compare {
 namespace {
 
 struct Flags {
-    std::string model;
+    std::string model, deviation;
     RuleFlags rules;
     bool triangulate = false;
     std::optional<int> level;
-    core::Index vertex = 0;
+    std::optional<core::Index> vertex;
     bool from_one = false, limit = false;
 };
 
+int explain_deviation(const Context& context, std::string_view name) {
+    const KnownDeviation* deviation = find_deviation(known_deviations(), name);
+    if (deviation == nullptr) {
+        context.err << fmt::format("There is no known deviation {}; 'loopcheck deviations' lists them.\n",
+                                   printable(std::string(name)));
+        return kExitUsage;
+    }
+    const auto demonstration = demonstrate(*deviation);
+    if (!demonstration) {
+        complain(context, std::string(name), demonstration.error());
+        return kExitFailed;
+    }
+    const Subject* subject = find_subject(context.subjects, deviation->family);
+    context.out << demonstration_as_text(*demonstration, subject == nullptr ? "" : subject->version);
+    return demonstration->status == DeviationStatus::AsPredicted ? 0 : 1;
+}
+
 int run_explain(const Context& context, const Flags& flags) {
+    if (!flags.deviation.empty()) return explain_deviation(context, flags.deviation);
+    if (flags.model.empty() || !flags.vertex) {
+        context.err << "explain takes a model and --vertex, or --deviation.\n";
+        return kExitUsage;
+    }
     const int level = flags.level.value_or(flags.limit ? 0 : 1);
     if (level == 0 && !flags.limit) {
         context.err << "A vertex of level 0 is given, and no rule made it; --limit explains its limit.\n";
@@ -35,7 +61,7 @@ int run_explain(const Context& context, const Flags& flags) {
     }
     const CountFrom from = flags.from_one ? CountFrom::One : CountFrom::Zero;
     const core::SchemeOptions options = flags.rules.for_model(model->model);
-    const core::Index vertex = flags.vertex - static_cast<core::Index>(from);
+    const core::Index vertex = *flags.vertex - static_cast<core::Index>(from);
     const auto text = flags.limit ? explain_limit(model->mesh, options, level, vertex, from)
                                   : explain(model->mesh, options, level, vertex, context.subjects, from);
     if (!text) {
@@ -52,9 +78,10 @@ Command add_explain(CLI::App& program) {
     auto flags = std::make_shared<Flags>();
     CLI::App* command =
         program.add_subcommand("explain", "Show the rule and mask of a vertex, and what subjects compute");
-    command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();
-    command->add_option("--vertex", flags->vertex, "the vertex, counted from 0 (or from 1 with --from-one)")
-        ->required();
+    command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file");
+    command->add_option("--vertex", flags->vertex, "the vertex, counted from 0 (or from 1 with --from-one)");
+    command->add_option("--deviation", flags->deviation,
+                        "instead: a known deviation of a peer, on the smallest mesh that shows it");
     command
         ->add_option(
             "--level", flags->level,

@@ -1,6 +1,5 @@
-#include <nlohmann/json.hpp>
-
 #include "compare/limit/words.h"
+#include "compare/report/document.h"
 #include "compare/report/report.h"
 #include "compare/words.h"
 #include "core/mesh/io/number.h"
@@ -193,21 +192,6 @@ Json json_of(const std::string& model, const Comparison& c, const std::optional<
     for (const LevelResult& level : c.levels) out["levels"].push_back(json_of(level, c, detail));
     if (limits) out["limits"] = json_of(*limits, c, detail);
     return out;
-}
-
-Json document(std::string_view command, std::span<const Subject> subjects, int exit_code) {
-    Json out{{"schema", 1}, {"loopcheck", LOOPCHECK_VERSION}, {"command", command}, {"exit_code", exit_code}};
-    out["subjects"] = Json::array();
-    for (const Subject& subject : subjects)
-        out["subjects"].push_back({{"name", subject.name},
-                                   {"version", subject.version},
-                                   {"precision", core::name(subject.precision)}});
-    return out;
-}
-
-// Not-a-number and infinity become null; bytes that are not UTF-8, in a file name for instance, are replaced.
-std::string dump(const Json& json) {
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace

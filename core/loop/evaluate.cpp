@@ -6,54 +6,11 @@
 #include <cmath>
 
 #include "core/loop/box_spline.h"
-
+#include "core/loop/corner_view.h"
 #include "core/loop/sublevel.h"
 
 namespace loopcheck::core {
 namespace {
-
-// A face seen from one of its corners.
-struct CornerView {
-    Star star;
-    Sector sector;         // that holds the face
-    int place = 0;         // of the face in it: it lies between the sector's edges `place` and `place` + 1
-    bool settled = false;  // nothing at it is semi-sharp; else the rest is not filled in
-
-    bool is_regular() const {
-        if (!settled) return false;
-        switch (star.rule()) {
-            case VertexRule::Smooth:
-                return sector.faces == 6;
-            case VertexRule::Dart:
-                return false;
-            case VertexRule::Crease:
-                return sector.faces == 3;
-            case VertexRule::Corner:
-                return star.sharp.size() >= 2 && sector.faces == 1;
-        }
-        return false;
-    }
-};
-
-CornerView view_from(const SchemeLevel& level, Index face, int corner) {
-    const Topology& t = level.topology;
-    const Index v = t.triangles[face][corner];
-    CornerView view;
-    view.settled = !has_finite_sharpness(t, level.sharpness, v);
-    if (!view.settled) return view;
-    view.star = star_of(t, level.sharpness, v);
-    const auto ring = t.ring(v);
-    const int position =
-        static_cast<int>(std::find(ring.begin(), ring.end(), t.face_edges[face][corner]) - ring.begin());
-    for (const Sector& sector : view.star.sectors()) {
-        const int place = (position - sector.first + view.star.ring) % view.star.ring;
-        if (place < sector.faces) {
-            view.sector = sector;
-            view.place = place;
-        }
-    }
-    return view;
-}
 
 // A point of the regular patch: a sum of vertices, most often one.
 struct PatchPoint {

@@ -308,6 +308,22 @@ TEST(CommandLine, ListsSubjectsAndTheVersion) {
     EXPECT_SAYS(help.out, "Exit codes");
 }
 
+TEST(DeviationsCommand, ListsEveryOneAndExplainsEach) {
+    const auto all = loopcheck({"deviations"});
+    EXPECT_EQ(all.code, 0) << all.out << all.err;
+    for (const KnownDeviation& deviation : known_deviations()) {
+        EXPECT_SAYS(all.out, std::string(deviation.name) + " ");
+        const auto one = loopcheck({"explain", "--deviation", std::string(deviation.name)});
+        EXPECT_EQ(one.code, 0) << one.err;
+        EXPECT_SAYS(one.out, deviation.what);
+        EXPECT_SAYS(one.out, deviation.page);
+        EXPECT_SAYS(one.out, "as predicted");
+    }
+    const auto none = loopcheck({"explain", "--deviation", "gravity"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_SAYS(none.err, "There is no known deviation gravity");
+}
+
 TEST(StencilsCommand, WritesTheRowsOfALevelOfTheLimitAndOfAPoint) {
     const tests::TemporaryFolder folder;
     const std::string file = folder / "rows.mtx";

@@ -1,0 +1,85 @@
+// loopcheck limit: OpenSubdiv's surfaces of one model against exact evaluation.
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "compare/cli/command.h"
+#include "compare/cli/surface_flags.h"
+#include "compare/report/surface.h"
+#include "reference/opensubdiv/opensubdiv.h"
+
+namespace loopcheck::compare {
+namespace {
+
+struct Flags {
+    std::string model, json;
+    WayFlag way{"all"};
+    RuleFlags rules;
+    SurfaceCheck check;
+    bool triangulate = false;
+};
+
+int run_limit(const Context& context, const Flags& flags) {
+    if (flags.check.smooth_level > flags.check.sharp_level) {
+        context.err << "--approx-smooth must not be above --approx-sharp.\n";
+        return kExitUsage;
+    }
+    const std::array outputs{flags.json};
+    const std::array inputs{flags.model};
+    if (outputs_clash(context, outputs, inputs)) return kExitUsage;
+    const auto model = load_or_complain(context, flags.model, flags.triangulate);
+    if (!model) return kExitUsage;
+    const core::SchemeOptions options = flags.rules.for_model(model->model);
+    SurfaceReport report{flags.model,
+                         static_cast<std::size_t>(model->mesh.vertex_count()),
+                         static_cast<std::size_t>(model->mesh.face_count()),
+                         {}};
+    {
+        Progress progress(context);
+        for (const SurfaceWay& way : flags.way.ways()) {
+            SurfaceCheck check = flags.check;
+            check.way = way;
+            report.comparisons.push_back(compare_surface_with_rates(
+                model->mesh, options, check, reference::opensubdiv_surface,
+                [&](std::size_t face, std::size_t of) {
+                    if (face % 64 == 0) progress.show(fmt::format("{}: face {} of {}", way.name, face, of));
+                }));
+        }
+    }
+    context.out << surface_as_text(report, reference::opensubdiv_version());
+    if (!flags.json.empty() &&
+        !write_or_complain(context, flags.json, surface_as_json(report, context.subjects)))
+        return kExitUsage;
+    return report.exit_code();
+}
+
+}  // namespace
+
+Command add_limit(CLI::App& program) {
+    auto flags = std::make_shared<Flags>();
+    CLI::App* command = program.add_subcommand(
+        "limit", "Compare OpenSubdiv's surfaces of a model with the exact limit surface");
+    command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();
+    flags->way.add_to(*command);
+    flags->rules.add_to(*command);
+    const auto level = CLI::Range(1, reference::kOpensubdivMaxSurfaceLevel);
+    command
+        ->add_option("--approx-smooth", flags->check.smooth_level,
+                     "OpenSubdiv's last level at smooth features")
+        ->capture_default_str()
+        ->check(level);
+    command->add_option("--approx-sharp", flags->check.sharp_level, "and at sharp ones")
+        ->capture_default_str()
+        ->check(level);
+    command
+        ->add_option("--samples", flags->check.samples,
+                     fmt::format("parameters a face, at most; about {} in all", kMostSamples))
+        ->capture_default_str()
+        ->check(CLI::Range(kLeastSamples, kMostSamples));
+    command->add_flag("--triangulate", flags->triangulate, "split polygons by a fan from their first corner");
+    command->add_option("--json", flags->json, "write the report as JSON");
+    return [flags](const Context& context) { return run_limit(context, *flags); };
+}
+
+}  // namespace loopcheck::compare

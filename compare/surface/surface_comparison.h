@@ -1,0 +1,117 @@
+// The limit surface of OpenSubdiv against the exact one, face class by face class, with the verdict.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/comparison.h"
+#include "compare/surface/atlas.h"
+#include "compare/surface/surface_deviations.h"
+
+namespace loopcheck::compare {
+
+/// How a surface is looked at.
+struct SurfaceCheck {
+    SurfaceWay way;
+    int smooth_level = 2;
+    int sharp_level = 6;
+    /// Most parameters a face; fewer where the mesh has many faces, so that all are about kMostSamples.
+    int samples = 64;
+};
+reference::SurfaceSettings settings_of(const SurfaceCheck& check);
+inline constexpr int kMostSamples = 100000;
+inline constexpr int kLeastSamples = 6;  ///< a face
+
+/// What a face is counted under: its only irregular class, or several.
+struct FaceClass {
+    bool several = false;  ///< corners of different irregular classes
+    CornerClass corner;
+
+    auto operator<=>(const FaceClass&) const = default;
+};
+std::string to_string(FaceClass c);
+
+/// The faces of a class.  An error is NaN where a result is not finite.
+struct SurfaceStats {
+    std::size_t faces = 0, samples = 0;
+    double position = 0;  ///< largest coordinate of the difference, in model units
+    double normal = 0;    ///< largest angle between the normals as planes, in degrees
+    /// Largest coordinate of the difference of du and dv over the largest of the exact ones at that
+    /// parameter.
+    double first = 0;
+    /// The same of duu, duv, dvv, over the largest of the exact ones of both orders; the sign as predicted.
+    double second = 0;
+    double predicted = 0;  ///< largest bound of the position, in model units
+    double bound_use = 0;  ///< largest error over its bound, of positions and of derivatives where predicted
+    std::size_t beyond = 0;        ///< samples beyond a bound
+    std::optional<double> rate;    ///< of `position` a level, from this check to the one two levels deeper
+    std::optional<double> lambda;  ///< the largest `eigenvalue` of the class
+};
+
+/// How often a deviation was to be seen and was seen, in samples.
+struct DeviationCount {
+    std::size_t expected = 0;  ///< must show there
+    std::size_t possible = 0;  ///< may show there, and nowhere else
+    std::size_t shown = 0;     ///< shows, as predicted
+    std::size_t missing = 0;   ///< expected, and the exact value is there instead
+    double largest = 0;        ///< sum_j |w_j - exact w_j|, in weights of its own order of derivative
+};
+
+/// The outcome for one way on one mesh.
+struct SurfaceComparison {
+    SurfaceCheck check;
+    core::SchemeOptions options;
+    Verdict verdict = Verdict::WithinRounding;
+    std::vector<std::string> notes;  ///< the verdict in words, a sentence each
+    std::map<FaceClass, SurfaceStats> classes;
+    std::array<DeviationCount, kSurfaceDeviations> deviations{};
+    std::size_t without_surface = 0;   ///< faces that have none: holes, and boundaries under the option none
+    std::size_t unwanted_surface = 0;  ///< faces that have one nevertheless
+    bool overweight = false;           ///< chaikin-overweight changes the exact surface here
+    double diagonal = 0, largest_coordinate = 0;
+};
+
+using SurfaceProgress = std::function<void(std::size_t face, std::size_t of)>;
+
+/// Compares one way with the exact surface.  Never throws and never fails: what goes wrong is the verdict.
+///
+/// The prediction.  OpenSubdiv refines exactly down to the last level L and is exact on regular triangles; an
+/// irregular one gets an approximation there.  Both are linear in the points around it, so with the points
+/// Q one level above,
+///
+///     error of derivative d at a parameter = 2^(order (L-1)) sum_j e_j Q_j,      sum_j e_j = 0,
+///
+/// where e depends on the class of the irregular corner and the place in the patch only.  Hence, per
+/// coordinate, |error| <= 2^(order (L-1)) A (half the spread of Q), with A the `LocalErrors` of the class on
+/// the same places; where the weights do not sum to 0 (the box end cap), their sum times the middle of Q is
+/// added.  On regular triangles the weights themselves are compared, sum_j |w_j - exact w_j| <=
+/// `allowed_rounding`.
+///
+/// Where sharpness has not decayed, or level 1 leaves two irregular corners together, or a class has no local
+/// mesh, and where PatchTable smooths what is sharp, both surfaces are near the points of the triangle: the
+/// exact one is within their range, and the weights of a patch add up to at most kPatchMagnitude; then
+/// positions alone are judged, |error| <= (1 + kPatchMagnitude) (half the spread).
+///
+/// A second derivative in a turned regular triangle must be the exact one with the opposite sign.
+///
+/// Range   1 <= smooth_level <= sharp_level <= reference::kOpensubdivMaxSurfaceLevel.
+SurfaceComparison compare_surface(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                  const SurfaceCheck& check, const SurfaceEvaluator& evaluate,
+                                  LocalErrors& local, const SurfaceProgress& progress = {});
+inline constexpr double kPatchMagnitude = 2;
+
+/// Sets verdict and notes from what was counted: Differs where a sample is beyond its bound or a deviation
+/// that must show does not, KnownDeviation where one shows.
+void give_verdict(SurfaceComparison& comparison);
+
+/// The same with the rates: also two levels deeper, where there are such levels, and both must be right.
+SurfaceComparison compare_surface_with_rates(const core::TriangleMesh& mesh,
+                                             const core::SchemeOptions& options, const SurfaceCheck& check,
+                                             const SurfaceEvaluator& evaluate,
+                                             const SurfaceProgress& progress = {});
+
+}  // namespace loopcheck::compare
