@@ -15,17 +15,17 @@ using glm::dvec3;
 
 // What a value is found to be, worst last.
 enum class Standing : std::uint8_t {
-    Right,        // within the bound of the exact value, or of the predicted one where the two are not apart
-    AsDeviation,  // as a known deviation predicts, beyond rounding
+    Right,        // within the bound of the exact value
+    AsDeviation,  // as a known deviation predicts, and not exact too
     Vanished,     // exact where a known deviation predicts otherwise, beyond rounding
     Wrong,
 };
 
 // A value that may be exact or as predicted, the two being apart by more than rounding or not.
 Standing standing(bool exact, bool as_predicted, bool apart) {
-    if (!apart) return exact || as_predicted ? Standing::Right : Standing::Wrong;
-    if (as_predicted) return Standing::AsDeviation;
-    return exact ? Standing::Vanished : Standing::Wrong;
+    if (as_predicted && (apart || !exact)) return Standing::AsDeviation;
+    if (!exact) return Standing::Wrong;
+    return apart ? Standing::Vanished : Standing::Right;
 }
 
 // One side at one vertex.
@@ -47,6 +47,13 @@ struct Kept {
     bool compared = false;  // its normal
     bool deviates = false;  // as predicted
 };
+
+// A vertex of valence 2, whose second tangent the ring says is 0.
+const core::LimitMasks<core::HighPrecision>& valence_two_masks() {
+    static const core::LimitMasks<core::HighPrecision> masks{
+        {0, 0, 1}, {{{0, 2}, NoNormal::ValenceTwo, {1, -1, 0}, {0, 0, 0}}}};
+    return masks;
+}
 
 // One side of one level.
 class SideLevel {
@@ -75,8 +82,8 @@ class SideLevel {
         else
             out.done = side_.done == side_.witness ? out.truth : done_.limit(v, precision);
         out.position = position_standing(out);
-        out.normal = out.truth.no_normal == NoNormal::ValenceTwo && found.deviation != nullptr
-                         ? noise_standing(out, limits_.tangent2[own])
+        out.normal = out.truth.no_normal == NoNormal::ValenceTwo
+                         ? noise_standing(v, limits_.tangent2[own], found.deviation)
                          : normal_standing(out);
         return out;
     }
@@ -86,7 +93,7 @@ class SideLevel {
   private:
     static Standing position_standing(const Judged& j) {
         const bool exact = is_within(distance_from_exact(j.truth, j.observed), j.truth.bound);
-        if (j.deviation == nullptr) return standing(exact, exact, false);
+        if (j.deviation == nullptr) return standing(exact, false, false);
         return standing(
             exact, is_within(distance_from_exact(j.done, j.observed), j.done.bound),
             !is_within(distance_from_exact(j.truth, j.done.position), j.truth.bound + j.done.bound));
@@ -97,20 +104,24 @@ class SideLevel {
         if (!(std::isfinite(j.truth.plane.bound) && std::isfinite(j.done.plane.bound)))
             return Standing::Right;
         const bool exact = angle_between(j.plane, j.truth.plane) <= j.truth.plane.bound;
-        if (j.deviation == nullptr) return standing(exact, exact, false);
+        if (j.deviation == nullptr) return standing(exact, false, false);
         return standing(
             exact, angle_between(j.plane, j.done.plane) <= j.done.plane.bound,
             angle_between(j.truth.plane, j.done.plane) > j.truth.plane.bound + j.done.plane.bound);
     }
 
-    // A tangent that is 0 in truth and predicted to be rounding noise: not 0, where that does not underflow,
-    // and within the bound.
-    Standing noise_standing(const Judged& j, const dvec3& tangent) const {
-        if (!is_within(glm::abs(tangent), j.done.tangent2_bound)) return Standing::Wrong;
-        if (tangent != dvec3(0)) return Standing::AsDeviation;
-        const double least = core::unit_roundoff(core::Precision::Double) * largest(j.done.tangent2_bound);
-        return least > core::smallest_subnormal(side_.subject->precision) ? Standing::Vanished
-                                                                          : Standing::Right;
+    // At valence 2 the ring has no second tangent: one that is not 0 but no larger than the rounding errors
+    // of the sum is noise, right nowhere and expected where a deviation says so.  A larger one is from
+    // elsewhere and cannot be judged.
+    Standing noise_standing(Index v, const dvec3& tangent, const KnownDeviation* deviation) {
+        const core::Precision precision = side_.subject->precision;
+        const dvec3 bound = truth_.limit(v, valence_two_masks(), precision).tangent2_bound;
+        const bool listed = deviation != nullptr;
+        if (!is_within(glm::abs(tangent), bound)) return listed ? Standing::Wrong : Standing::Right;
+        if (tangent != dvec3(0)) return listed ? Standing::AsDeviation : Standing::Wrong;
+        const bool underflows = core::unit_roundoff(core::Precision::Double) * largest(bound) <=
+                                core::smallest_subnormal(precision);
+        return listed && !underflows ? Standing::Vanished : Standing::Right;
     }
 
     const LimitSide& side_;

@@ -1,7 +1,5 @@
 #include "compare/limit/opensubdiv_masks.h"
 
-#include <boost/math/constants/constants.hpp>
-
 namespace loopcheck::compare {
 namespace {
 
@@ -13,20 +11,13 @@ std::vector<HighPrecision> no_weights(const Star& star) {
     return std::vector<HighPrecision>(star.ring + std::size_t{1}, HighPrecision(0));
 }
 
-// A smooth vertex with as many edges: its second tangent at valence 2 is 0.
+// A smooth vertex with as many edges.
 Masks smooth(const Star& star) {
-    Masks out = core::limit_masks<HighPrecision>({star.ring, false, false, {}}, core::Weights::Loop);
-    auto& sector = out.sectors.front();
-    if (star.ring == 2) {
-        sector.no_normal = core::NoNormal::None;
-        sector.tangent1 = {1, -1, 0};
-        sector.tangent2 = no_weights(star);
-    }
-    return out;
+    return core::limit_masks<HighPrecision>({star.ring, false, false, {}}, core::Weights::Loop);
 }
 
 std::vector<HighPrecision> across_crease(const Star& star, int first, int faces) {
-    const HighPrecision theta = boost::math::constants::pi<HighPrecision>() / faces;
+    const HighPrecision theta = acos(HighPrecision(-1)) / faces;
     const HighPrecision inside = 2 * (1 - cos(theta));
     auto out = no_weights(star);
     for (int i = 1; i < faces; ++i) out[first + i] = inside * sin(i * theta);

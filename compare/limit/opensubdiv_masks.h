@@ -14,10 +14,12 @@ namespace loopcheck::compare {
 ///     corner         position v;  tangents r_0 - v and r_1 - v, r_0 and r_1 being the first two edges of the
 ///     ring
 ///
-/// e_0, ..., e_k are the edges between the first and the second sharp edge.  At an interior vertex of valence
-/// 2 the second tangent is 0 in truth; what OpenSubdiv has there is the rounding of sin(pi).
+/// e_0, ..., e_k are the edges between the first and the second sharp edge.
 ///
-/// Shapes  as `core::limit_masks`, with one sector; it has tangents also where the limit has no normal.
+/// Shapes  as `core::limit_masks`, with one sector.  It has tangents also where a crease or corner has no
+/// limit
+///         normal, but not at an interior vertex of valence 2, where OpenSubdiv's second one is the rounding
+///         of sin(pi).
 /// Source  OpenSubdiv's documentation of its limit masks and its results, 3.5.0; the tests hold every model's
 ///         results against these masks.
 core::LimitMasks<core::HighPrecision> opensubdiv_limit_masks(const core::Star& star);

@@ -17,7 +17,7 @@ struct ExactLimit {
     /// Of the first sector.  Nothing else is meaningful where it has none.
     core::NoNormal no_normal = core::NoNormal::None;
     Plane plane;
-    glm::dvec3 tangent2_bound{0};  ///< also where there is no normal, if the masks have tangents
+    glm::dvec3 tangent2_bound{0};  ///< where the masks have tangents, also where they have no plane
 };
 
 /// |p - exact limit position|, per coordinate.

@@ -67,7 +67,8 @@ std::string cell(const std::vector<Outcome>& outcomes) {
     for (const auto& [verdict, count] : verdicts) {
         std::string part(verdict == Verdict::NotSupported ? "n/a" : name(verdict));
         // Limits may differ by the rounding of normals alone.
-        if (verdict == Verdict::WithinRounding && largest > 0) part = fmt::format("within {:.2g} u M", largest);
+        if (verdict == Verdict::WithinRounding && largest > 0)
+            part = fmt::format("within {:.2g} u M", largest);
         parts.push_back(verdicts.size() == 1 ? part : fmt::format("{} {}", count, part));
     }
     return fmt::format("{}", fmt::join(parts, ", "));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -132,6 +133,13 @@ core::Result<core::Refinement> refine(const core::TriangleMesh& control, int lev
     return out;
 }
 
+// OpenMesh's error stream is global to the process, and its first use, which sets it up, is not safe in two
+// threads at once.
+void silence() {
+    static std::once_flag once;
+    std::call_once(once, [] { omerr().disable(); });
+}
+
 }  // namespace
 
 std::string openmesh_version() {
@@ -144,7 +152,7 @@ core::Result<core::Refinement> openmesh_refine(const core::TriangleMesh& mesh,
     if (auto why = why_unsupported(mesh, options, precision))
         return core::fail(core::ErrorCode::Unsupported, *why);
     if (auto error = core::check_fits(mesh, precision)) return tl::unexpected(*error);
-    omerr().disable();
+    silence();
     try {
         auto out =
             precision == core::Precision::Float ? refine<float>(mesh, levels) : refine<double>(mesh, levels);

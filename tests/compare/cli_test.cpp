@@ -128,6 +128,37 @@ TEST(CommandLine, ComparesInFloatWhenAsked) {
     EXPECT_SAYS(r.out, "verdict: identical");
 }
 
+TEST(CommandLine, ComparesLimitsWhenAsked) {
+    const auto r = loopcheck({"compare", model_path("dart-valence-06"), "--levels", "1", "--limit", "--csv",
+                              (tests::TemporaryFolder() / "x.csv").string()});
+    EXPECT_SAYS(r.out, "verdict: identical");
+    EXPECT_SAYS(r.out, "verdict on limits: known deviation");
+    EXPECT_SAYS(r.out, "normal, class at level 0");
+    EXPECT_SAYS(r.out, "limit-dart: ");
+    EXPECT_SAYS(r.err, "--csv and --ply have the refinement only");
+    EXPECT_EQ(loopcheck({"compare", model_path("dart-valence-06"), "--levels", "1"}).out.find("limit"),
+              std::string::npos);
+    // The worse of the two verdicts decides.
+    EXPECT_EQ(loopcheck({"compare", model_path("cow"), "--levels", "1", "--limit"}).code, 0);
+    EXPECT_EQ(loopcheck({"compare", model_path("cow"), "--boundary", "edge-only", "--levels", "1", "--limit",
+                         "--with", "openmesh"})
+                  .code,
+              3);
+    EXPECT_EQ(
+        loopcheck({"compare", model_path("cow"), "--levels", "1", "--limit", "--with", "off"},
+                  {test::subject("ours"),
+                   test::cheat_limits("off", [](core::Limits& limits,
+                                                const auto&) { limits.levels[0].positions[0].x += 1e-9; })})
+            .code,
+        1);
+}
+
+TEST(CommandLine, LeavesLimitsOutOfASuiteWhenAsked) {
+    EXPECT_SAYS(loopcheck({"suite", model_path("fan-2"), "--levels", "1"}).out, "and 6 of limits");
+    EXPECT_SAYS(loopcheck({"suite", model_path("fan-2"), "--levels", "1", "--no-limit"}).out,
+                "and 0 of limits");
+}
+
 TEST(CommandLine, WritesTheReportsItIsAskedFor) {
     const tests::TemporaryFolder folder;
     const auto at = [&](const char* name) { return (folder / name).string(); };

@@ -106,6 +106,17 @@ TEST(MemoryEstimate, CoversComparisons) {
                   {"compare", model, "--levels", "5", "--weights", "warren"}, mesh, 5);
 }
 
+TEST(MemoryEstimate, CoversLimits) {
+    const auto mesh = model_mesh("cow");
+    const std::array pair{&subject("ours"), &subject("opensubdiv")};
+    expect_covers(referee_bytes_per_vertex(pair, {}, Scope::Limits),
+                  {"compare", model_path("cow"), "--levels", "5", "--limit"}, mesh, 5);
+    const std::array ours{&subject("ours"), &subject("ours-float")};
+    expect_covers(referee_bytes_per_vertex(ours, {}, Scope::Limits),
+                  {"compare", model_path("cow"), "--levels", "5", "--limit", "--with", "ours-float"}, mesh,
+                  5);
+}
+
 TEST(MemoryEstimate, CoversWritingAMesh) {
     const auto mesh = model_mesh("cow");
     for (const auto& subject : built_in_subjects()) {

@@ -20,6 +20,7 @@ using core::Index;
 using core::VertexClass;
 using test::cheat;
 using test::cheat_rules;
+using test::in_the_name_of_opensubdiv;
 using test::model_mesh;
 using test::subject;
 
@@ -272,11 +273,6 @@ TEST(Referee, ComparesFloatWithDoubleWithinTheBoundOfFloat) {
 // elsewhere.
 
 constexpr core::SchemeOptions kChaikin{.creasing = core::Creasing::Chaikin};
-
-Subject in_the_name_of_opensubdiv(Subject subject) {
-    subject.family = "opensubdiv";
-    return subject;
-}
 
 TEST(KnownDeviation, IsSeenWhereAndAsPredicted) {
     const auto comparison =

@@ -75,6 +75,25 @@ TEST(TextReport, ShowsTheVerdictTheClassesAndTheWorstVertexInHexfloat) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(JsonReport, SaysWhatWasPredictedOfLimitsAndWhatWasSeen) {
+    const auto mesh = model_mesh("dart-valence-06");
+    Referee referee(mesh, {}, 1);
+    const json entry = as_json(make_report("x", mesh, referee.judge(subject("ours"), subject("opensubdiv")),
+                                           referee.judge_limits(subject("ours"), subject("opensubdiv"), 1)))
+                           .at("comparisons")
+                           .at(0)
+                           .at("limits");
+    EXPECT_EQ(entry.at("verdict"), "known deviation");
+    const json& seen = entry.at("deviations").at(0);
+    EXPECT_EQ(seen.at("name"), "limit-dart");
+    EXPECT_EQ(seen.at("kind"), "error");
+    EXPECT_EQ(seen.at("vertices"), 4);
+    EXPECT_NEAR(seen.at("position").at("predicted"), seen.at("position").at("observed"), 1e-14);
+    EXPECT_GT(seen.at("normal").at("observed"), 10) << "degrees";
+    EXPECT_EQ(entry.at("levels").at(0).at("all").at("as_deviation"), 2);
+    EXPECT_EQ(entry.at("levels").at(0).at("worst").at(0).at("deviation"), "limit-dart");
+}
+
 TEST(CsvReport, HasOneLineAVertexAndTheSameDoubles) {
     const auto mesh = model_mesh("fan-3");
     CsvReport csv;
@@ -131,7 +150,7 @@ TEST(JunitReport, EscapesNamesAndCountsOutcomes) {
     differs.notes = {"a < b & \"c\""};
     Comparison skipped;
     skipped.verdict = Verdict::NotSupported;
-    suite.rows = {{"<script>.obj", differs}, {"<script>.obj", skipped}};
+    suite.rows = {{"<script>.obj", differs, {}}, {"<script>.obj", skipped, {}}};
     suite.unreadable = {{"bad.obj", {core::ErrorCode::BadSyntax, "No.", {}}}};
     const auto xml = suite_as_junit(suite);
     EXPECT_EQ(xml.find("<script>"), std::string::npos) << xml;

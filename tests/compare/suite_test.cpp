@@ -32,9 +32,38 @@ TEST(Suite, ComparesEveryModelUnderEveryBoundaryOptionWithEveryPeer) {
 TEST(Suite, TakesTheCreasingThatTheModelDeclares) {
     const auto subjects = built_in_subjects();
     const auto result = run({model_path("chaikin-overweight")}, subjects);
-    EXPECT_EQ(result.count(Verdict::KnownDeviation), 6U);
+    EXPECT_EQ(result.count(Verdict::KnownDeviation), 6U + 6U) << "refinements and limits";
     for (const SuiteRow& row : result.rows)
         EXPECT_EQ(row.comparison.options.creasing, core::Creasing::Chaikin);
+}
+
+TEST(Suite, ComparesLimitsWherePeersHaveThemAndCountsThem) {
+    const auto subjects = built_in_subjects();
+    const auto result = run({model_path("dart-valence-06")}, subjects);
+    EXPECT_EQ(result.limit_rows(), 3 * 2U);
+    EXPECT_EQ(result.count(Verdict::KnownDeviation), 6U);
+    EXPECT_EQ(result.exit_code(), 0);
+    for (const SuiteRow& row : result.rows)
+        EXPECT_EQ(row.limits.has_value(), row.comparison.reference.rfind("opensubdiv", 0) == 0);
+    const auto text = suite_as_text(result, subjects);
+    EXPECT_NE(text.find("opensubdiv limits"), std::string::npos) << text;
+    EXPECT_NE(text.find("and 6 of limits of 1 models"), std::string::npos) << text;
+    EXPECT_NE(text.find("limit-dart"), std::string::npos) << text;
+    const auto xml = suite_as_junit(result);
+    EXPECT_NE(xml.find("name=\"limits of ours against opensubdiv, "), std::string::npos) << xml;
+}
+
+TEST(Suite, FailsWhenOnlyALimitDiffers) {
+    auto subjects = built_in_subjects();
+    subjects.push_back(test::cheat_limits(
+        "cheat", [](core::Limits& limits, const auto&) { limits.levels[0].positions[3].x += 1e-9; }));
+    const auto result = run({model_path("icosahedron")}, subjects);
+    EXPECT_EQ(result.count(Verdict::Differs), 3U);
+    EXPECT_EQ(result.exit_code(), 1);
+    const auto text = suite_as_text(result, subjects);
+    EXPECT_EQ(text.rfind("differs\n  icosahedron.obj", 0), 0U) << "failures first:\n" << text;
+    EXPECT_NE(text.find("limits: At level 0"), std::string::npos) << text;
+    EXPECT_NE(suite_as_junit(result).find("failures=\"3\""), std::string::npos);
 }
 
 TEST(Suite, GivesTheSameReportOnAnyNumberOfJobs) {

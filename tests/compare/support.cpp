@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/loop/limit.h"
 #include "core/loop/refine.h"
 
 namespace loopcheck::compare::test {
@@ -45,6 +46,24 @@ Subject cheat_rules(const std::string& name, std::function<void(core::SchemeOpti
     return out;
 }
 
+Subject cheat_limits(const std::string& name, SpoilLimits spoil) {
+    Subject out = subject("ours");
+    out.name = out.family = name;
+    out.limit = [spoil = std::move(spoil)](const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                           int levels) {
+        auto made = core::limits<double>(mesh, options, levels);
+        spoil(*made, core::refine<double>(mesh, options, levels).value());
+        return made;
+    };
+    return out;
+}
+
+Subject in_the_name_of_opensubdiv(Subject subject) {
+    subject.family = "opensubdiv";
+    subject.has_weight_option = false;
+    return subject;
+}
+
 const Subject& subject(const std::string& name) {
     static const auto table = built_in_subjects();
     const Subject* found = find_subject(table, name);
@@ -62,10 +81,22 @@ double ulps_off(double x, int n) {
     return x;
 }
 
-std::string notes(const Comparison& comparison) {
+namespace {
+
+std::string lines(const std::vector<std::string>& notes) {
     std::string out;
-    for (const std::string& note : comparison.notes) out += note + "\n";
+    for (const std::string& note : notes) out += note + "\n";
     return out;
+}
+
+}  // namespace
+
+std::string notes(const Comparison& comparison) {
+    return lines(comparison.notes);
+}
+
+std::string notes(const LimitComparison& comparison) {
+    return lines(comparison.notes);
 }
 
 }  // namespace loopcheck::compare::test

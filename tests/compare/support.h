@@ -25,6 +25,13 @@ Subject cheat(const std::string& name, Spoil spoil);
 /// Ours, asked for other rules than the referee was.
 Subject cheat_rules(const std::string& name, std::function<void(core::SchemeOptions&)> change);
 
+/// Ours, refining right, with its limits changed afterwards; `refined` is what it refined.
+using SpoilLimits = std::function<void(core::Limits& limits, const core::Refinement& refined)>;
+Subject cheat_limits(const std::string& name, SpoilLimits spoil);
+
+/// The subject, taken for OpenSubdiv: known deviations are expected of it.
+Subject in_the_name_of_opensubdiv(Subject subject);
+
 /// The built-in subject of that name.
 const Subject& subject(const std::string& name);
 
@@ -33,5 +40,6 @@ double ulps_off(double x, int n);
 
 /// All notes of a comparison in one text.
 std::string notes(const Comparison& comparison);
+std::string notes(const LimitComparison& comparison);
 
 }  // namespace loopcheck::compare::test

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "compare/limit/words.h"
 #include "compare/loading.h"
 #include "compare/referee.h"
 #include "compare/suite.h"
@@ -68,6 +69,21 @@ void expect_right(const Comparison& c, const core::TriangleMesh& mesh, const Sub
     fmt::print("{}; largest use of the bound {:.3f}\n", what, use);
 }
 
+void expect_right_limits(const LimitComparison& c, const Subject& peer) {
+    std::string notes;
+    for (const std::string& note : c.notes) notes += note + "\n";
+    EXPECT_LE(c.verdict, Verdict::KnownDeviation) << peer.name << "\n" << notes;
+    EXPECT_EQ(c.verdict == Verdict::KnownDeviation, !c.deviations.empty()) << peer.name << "\n" << notes;
+    const LimitStats all = total(c);
+    EXPECT_EQ(all.position.subject_wrong + all.normal.subject_wrong, 0U)
+        << "ours against " << peer.name << "\n"
+        << notes;
+    EXPECT_EQ(all.subject_drift.unexplained + all.reference_drift.unexplained, 0U) << peer.name << "\n"
+                                                                                   << notes;
+    fmt::print("limits of {}: {}; {} normals compared, {} undefined, {} undetermined\n{}", peer.name,
+               name(c.verdict), all.normal.difference.count, all.undefined_count(), all.undetermined, notes);
+}
+
 TEST_P(EveryModel, AgreesWithEveryPeer) {
     const auto model = load_model(std::string(LOOPCHECK_MODELS_DIR) + "/" + GetParam(), false);
     ASSERT_TRUE(model) << core::to_string(model.error());
@@ -81,6 +97,25 @@ TEST_P(EveryModel, AgreesWithEveryPeer) {
             if (peer.family == "ours") continue;
             const Subject* ours = in_precision(subjects, *find_subject(subjects, "ours"), peer.precision);
             expect_right(referee.judge(*ours, peer), model->mesh, peer);
+        }
+    }
+}
+
+// Limits: exact within the bound, or as a known deviation predicts, at every vertex; and each subject's limit
+// of a vertex is that of its vertex point.
+TEST_P(EveryModel, HasTheLimitsThatEveryPeerShouldHave) {
+    const auto model = load_model(std::string(LOOPCHECK_MODELS_DIR) + "/" + GetParam(), false);
+    ASSERT_TRUE(model) << core::to_string(model.error());
+    const auto subjects = built_in_subjects();
+    for (const auto boundary :
+         {core::BoundaryRule::EdgeAndCorner, core::BoundaryRule::EdgeOnly, core::BoundaryRule::None}) {
+        Referee referee(model->mesh,
+                        options_for_model(model->model, boundary, std::nullopt, core::Weights::Loop),
+                        std::min(levels(), 3));
+        for (const Subject& peer : subjects) {
+            const Subject* ours = in_precision(subjects, *find_subject(subjects, "ours"), peer.precision);
+            if (peer.family != "ours" && peer.limit)
+                expect_right_limits(referee.judge_limits(*ours, peer), peer);
         }
     }
 }

@@ -1,5 +1,6 @@
 // Meshes that are in no file: random triangulations with random sharpness, compared with every peer.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,7 +80,7 @@ class RandomMeshes : public testing::TestWithParam<unsigned> {};
 TEST_P(RandomMeshes, AgreeWithEveryPeer) {
     Random random(GetParam());
     const auto subjects = built_in_subjects();
-    std::size_t identical = 0, deviations = 0, within = 0;
+    std::size_t identical = 0, deviations = 0, within = 0, limit_deviations = 0;
     for (int trial = 0; trial < 60; ++trial) {
         core::MeshData data = random_shape(random);
         auto mesh = core::TriangleMesh::make(data);
@@ -104,11 +105,19 @@ TEST_P(RandomMeshes, AgreeWithEveryPeer) {
                 peer.family == "opensubdiv"
                     ? c.verdict == Verdict::Identical || c.verdict == Verdict::KnownDeviation
                     : c.verdict <= Verdict::WithinRounding || c.verdict == Verdict::NotSupported;
+            if (peer.limit) {
+                const LimitComparison limits = referee.judge_limits(*ours, peer);
+                limit_deviations += limits.verdict == Verdict::KnownDeviation ? 1 : 0;
+                EXPECT_LE(limits.verdict, Verdict::KnownDeviation) << fmt::format(
+                    "trial {}: limits of {}: {}", trial, peer.name, fmt::join(limits.notes, "\n"));
+            }
             EXPECT_TRUE(right) << fmt::format("trial {}: {} against {}: {} {}", trial, c.subject, c.reference,
                                               name(c.verdict), c.notes.empty() ? "" : c.notes.front());
         }
     }
-    fmt::print("{} identical, {} within rounding, {} known deviations\n", identical, within, deviations);
+    fmt::print("{} identical, {} within rounding, {} known deviations; {} of limits\n", identical, within,
+               deviations, limit_deviations);
+    EXPECT_GT(limit_deviations, 60U);
     EXPECT_GT(identical, 60U);
     EXPECT_GT(deviations, 0U);
 }
