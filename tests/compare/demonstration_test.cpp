@@ -59,11 +59,13 @@ std::vector<std::string> deviation_names() {
     return out;
 }
 
-INSTANTIATE_TEST_SUITE_P(List, EveryDeviation, testing::ValuesIn(deviation_names()), [](const auto& info) {
-    std::string name = info.param;
+std::string with_underscores(const testing::TestParamInfo<std::string>& of) {
+    std::string name = of.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(List, EveryDeviation, testing::ValuesIn(deviation_names()), with_underscores);
 
 TEST(KnownDeviations, HaveDifferentNames) {
     const auto names = deviation_names();

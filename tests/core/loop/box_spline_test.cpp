@@ -35,7 +35,8 @@ TEST(PatchBasis, SumsToOneAndItsDerivativesToZeroAsFractions) {
 
 TEST(PatchBasis, HasNoNegativeValue) {
     for_each_parameter([](double u, double v) {
-        for (const double value : patch_basis(u, v)[0]) EXPECT_GE(value, 0) << u << " " << v;
+        const auto basis = patch_basis(u, v);
+        for (const double value : basis[0]) EXPECT_GE(value, 0) << u << " " << v;
     });
 }
 
