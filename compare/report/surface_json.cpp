@@ -49,7 +49,7 @@ Json json_of(const SurfaceComparison& c) {
     for (int i = 0; i < kSurfaceDeviations; ++i) {
         const DeviationCount& seen = c.deviations[i];
         if (seen.expected + seen.possible + seen.shown == 0) continue;
-        out["deviations"].push_back({{"name", surface_deviations()[i].name},
+        out["deviations"].push_back({{"name", name(static_cast<SurfaceDeviationId>(i))},
                                      {"expected", seen.expected},
                                      {"shown", seen.shown},
                                      {"missing", seen.missing},

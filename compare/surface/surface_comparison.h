@@ -109,8 +109,8 @@ SurfaceComparison compare_surface(const core::TriangleMesh& mesh, const core::Sc
 inline constexpr double kPatchMagnitude = 2;
 
 /// Sets verdict and notes from what was counted: Differs where a sample is beyond its bound or a deviation
-/// that must show does not, KnownDeviation where one shows.
-void give_verdict(SurfaceComparison& comparison);
+/// that must show does not or is not on the list, KnownDeviation where one shows.
+void give_verdict(SurfaceComparison& comparison, std::span<const KnownDeviation> list = known_deviations());
 
 /// The same with the rates: also two levels deeper, where there are such levels, and both must be right.
 SurfaceComparison compare_surface_with_rates(const core::TriangleMesh& mesh,

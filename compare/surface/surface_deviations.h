@@ -1,6 +1,7 @@
-// What is known to differ in OpenSubdiv's surfaces.
+// Which of the known deviations are seen in OpenSubdiv's surfaces.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -8,15 +9,7 @@
 
 namespace loopcheck::compare {
 
-/// Entry of the list: as `KnownDeviation`, with the place and the amount predicted by `judge_surface`.
-struct SurfaceDeviation {
-    std::string_view name;
-    std::string_view family;
-    KnownDeviation::Kind kind;
-    std::string_view what;  ///< one sentence
-};
-
-/// Number of a deviation in the list.
+/// A deviation of the list that `compare_surface` looks for.
 enum class SurfaceDeviationId : std::uint8_t {
     Approximation,
     SecondDerivativeSign,
@@ -27,7 +20,7 @@ enum class SurfaceDeviationId : std::uint8_t {
 };
 inline constexpr int kSurfaceDeviations = 6;
 
-/// The list, by `SurfaceDeviationId`.
-std::span<const SurfaceDeviation> surface_deviations();
+/// Its name in the list of known deviations: "bfr-approximation", ...
+std::string_view name(SurfaceDeviationId id);
 
 }  // namespace loopcheck::compare

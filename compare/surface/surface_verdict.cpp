@@ -8,7 +8,7 @@
 namespace loopcheck::compare {
 namespace {
 
-std::string missing_in_words(const SurfaceDeviation& deviation, const DeviationCount& seen) {
+std::string missing_in_words(const KnownDeviation& deviation, const DeviationCount& seen) {
     return fmt::format(
         "The known deviation {} must show at {} places and does not at {}: is it mended? Then it must leave "
         "the "
@@ -16,7 +16,7 @@ std::string missing_in_words(const SurfaceDeviation& deviation, const DeviationC
         deviation.name, seen.expected, seen.missing > 0 ? seen.missing : seen.expected);
 }
 
-std::string shown_in_words(const SurfaceDeviation& deviation, const DeviationCount& seen) {
+std::string shown_in_words(const KnownDeviation& deviation, const DeviationCount& seen) {
     return fmt::format(
         "{}: {} Shows at {} of {} places where it may, and nowhere else; up to {:.3g} in weights.",
         deviation.name, deviation.what, seen.shown, std::max(seen.expected, seen.possible), seen.largest);
@@ -33,7 +33,7 @@ std::string beyond_in_words(const SurfaceComparison& c) {
 
 }  // namespace
 
-void give_verdict(SurfaceComparison& c) {
+void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
     std::size_t samples = 0;
     for (const auto& [face_class, stats] : c.classes) samples += stats.samples;
     if (samples == 0) {
@@ -52,15 +52,24 @@ void give_verdict(SurfaceComparison& c) {
         c.notes.push_back(fmt::format("{} faces have a surface and should have none.", c.unwanted_surface));
     }
     for (int i = 0; i < kSurfaceDeviations; ++i) {
-        const SurfaceDeviation& deviation = surface_deviations()[i];
         const DeviationCount& seen = c.deviations[i];
+        const std::string_view called = name(static_cast<SurfaceDeviationId>(i));
+        const KnownDeviation* deviation = find_deviation(list, called);
+        if (deviation == nullptr) {
+            if (seen.shown == 0) continue;
+            wrong = true;
+            c.notes.push_back(
+                fmt::format("{} places differ as {} would, which is not on the list of known deviations.",
+                            seen.shown, called));
+            continue;
+        }
         if (seen.missing > 0 || (seen.expected > 0 && seen.shown == 0)) {
             wrong = true;
-            c.notes.push_back(missing_in_words(deviation, seen));
+            c.notes.push_back(missing_in_words(*deviation, seen));
         }
         if (seen.shown == 0) continue;
         c.verdict = Verdict::KnownDeviation;
-        c.notes.push_back(shown_in_words(deviation, seen));
+        c.notes.push_back(shown_in_words(*deviation, seen));
     }
     if (c.overweight) {
         c.verdict = Verdict::KnownDeviation;

@@ -152,6 +152,22 @@ Outcome loopcheck(const std::vector<std::string>& arguments) {
     return {code, out.str(), err.str()};
 }
 
+TEST(SurfaceComparison, FailsWhereWhatShowsIsNotOnTheList) {
+    const core::TriangleMesh mesh = test::model_mesh("icosahedron");
+    SurfaceComparison c = report_of(mesh, {}, "bfr", reference::opensubdiv_surface).comparisons[0];
+    ASSERT_EQ(c.verdict, Verdict::KnownDeviation);
+    for (const auto id : {SurfaceDeviationId::Approximation, SurfaceDeviationId::SecondDerivativeSign}) {
+        std::vector<KnownDeviation> shorter;
+        for (const KnownDeviation& deviation : known_deviations())
+            if (deviation.name != name(id)) shorter.push_back(deviation);
+        ASSERT_EQ(shorter.size() + 1, known_deviations().size());
+        c.notes.clear();
+        give_verdict(c, shorter);
+        EXPECT_EQ(c.verdict, Verdict::Differs) << name(id);
+        EXPECT_NE(c.notes[0].find("not on the list"), std::string::npos) << c.notes[0];
+    }
+}
+
 TEST(LimitCommand, ExitsWithTwoOnBadUsage) {
     const std::string model = test::model_path("icosahedron");
     const std::vector<std::vector<std::string>> bad{{"limit"},
