@@ -1,6 +1,7 @@
 // The limit surface of OpenSubdiv on models: right as predicted, and every cheat is seen.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -164,7 +165,10 @@ TEST(SurfaceComparison, FailsWhereWhatShowsIsNotOnTheList) {
         c.notes.clear();
         give_verdict(c, shorter);
         EXPECT_EQ(c.verdict, Verdict::Differs) << name(id);
-        EXPECT_NE(c.notes[0].find("not on the list"), std::string::npos) << c.notes[0];
+        const bool said = std::any_of(c.notes.begin(), c.notes.end(), [](const std::string& note) {
+            return note.find("not on the list") != std::string::npos;
+        });
+        EXPECT_TRUE(said) << c.notes[0];
     }
 }
 
