@@ -86,6 +86,7 @@ std::string demonstration_as_text(const Demonstration& d, std::string_view versi
 std::string demonstrations_as_json(std::span<const Demonstration> demonstrations,
                                    std::span<const Subject> subjects, int exit_code) {
     Json out = document("deviations", subjects, exit_code);
+    out["comparisons"] = Json::array();
     out["deviations"] = Json::array();
     for (const Demonstration& d : demonstrations) out["deviations"].push_back(json_of(d));
     return dump(out);

@@ -24,6 +24,7 @@ report suite 0 suite "$source/models/chaikin-overweight.obj" "$source/models/fan
 report atlas 0 atlas --levels 2
 report limit 0 limit "$source/models/icosahedron.obj" --method bfr --samples 8
 report limit-none 3 limit "$source/models/boundary-none.obj" --method bfr
+report deviations 0 deviations
 report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
 
 # The validator must be able to say no.
