@@ -45,7 +45,7 @@ Json json_of(const Demonstration& d) {
              {"family", d.deviation->family},
              {"kind", name(d.deviation->kind)},
              {"what", d.deviation->what},
-             {"page", d.deviation->page},
+             {"page", page_of(*d.deviation)},
              {"seen_in", d.deviation->versions},
              {"status", name(d.status)},
              {"mesh_in_words", d.mesh_in_words},
@@ -80,7 +80,7 @@ std::string demonstration_as_text(const Demonstration& d, std::string_view versi
     out += fmt::format("sum |{} - {}|: {} {:.6g}, observed {:.6g}: {}\n", d.columns[1], d.columns[0],
                        d.predicted.empty() ? "predicted at most" : "predicted", d.predicted_amount,
                        d.observed_amount, name(d.status));
-    return out + fmt::format("See {}.\n", deviation.page);
+    return out + fmt::format("See {}.\n", page_of(deviation));
 }
 
 std::string demonstrations_as_json(std::span<const Demonstration> demonstrations,

@@ -1,5 +1,7 @@
 #include "compare/deviations.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "compare/limit/opensubdiv_masks.h"
@@ -22,7 +24,6 @@ constexpr std::array kDeviations{
         .kind = Kind::Error,
         .what = "Where a Chaikin crease of sharpness s > 1 becomes smooth at one end in one step, OpenSubdiv "
                 "gives the crease rule the weight s and the smooth rule the weight 1 - s < 0.",
-        .page = "docs/deviations/chaikin-overweight.md",
         .versions = "3.5.0",
         .as_done =
             [](core::SchemeOptions options) {
@@ -36,7 +37,6 @@ constexpr std::array kDeviations{
         .kind = Kind::Documented,
         .what = "At a vertex that is still semi-sharp OpenSubdiv gives the limit of one that stays sharp for "
                 "ever; once its sharpness has decayed the limit is right.",
-        .page = "docs/deviations/limit-semi-sharp.md",
         .versions = "3.5.0",
         .applies = [](const LimitVertex& v) { return v.sharpness == LimitVertex::Sharpness::Finite; },
         .limit_as_done = opensubdiv_limit_masks,
@@ -48,7 +48,6 @@ constexpr std::array kDeviations{
         .what =
             "At an infinitely sharp dart OpenSubdiv takes the limit masks of a smooth vertex, which are not "
             "those of its own refinement there.",
-        .page = "docs/deviations/limit-dart.md",
         .versions = "3.5.0",
         .applies = [](const LimitVertex& v) { return is_settled(v, VertexRule::Dart); },
         .limit_as_done = opensubdiv_limit_masks,
@@ -60,7 +59,6 @@ constexpr std::array kDeviations{
         .what =
             "Across a crease or boundary of four or more faces OpenSubdiv's tangent belongs to the edge rule "
             "3/8, 5/8; it refines by 1/2, 1/2.",
-        .page = "docs/deviations/limit-crease-tangent.md",
         .versions = "3.5.0",
         .applies =
             [](const LimitVertex& v) {
@@ -75,7 +73,6 @@ constexpr std::array kDeviations{
         .what = "At a sharp corner OpenSubdiv's tangents lead along the first two edges of the ring, not "
                 "along the "
                 "two edges that bound a sector.",
-        .page = "docs/deviations/limit-corner-tangent.md",
         .versions = "3.5.0",
         .applies =
             [](const LimitVertex& v) {
@@ -90,7 +87,6 @@ constexpr std::array kDeviations{
         .kind = Kind::Error,
         .what = "At an interior vertex of valence 2 OpenSubdiv's second tangent is the rounding error of "
                 "sin(pi).",
-        .page = "docs/deviations/limit-valence-2.md",
         .versions = "3.5.0",
         .applies = [](const LimitVertex& v) { return is_settled(v, VertexRule::Smooth) && v.star.ring == 2; },
         .limit_as_done = opensubdiv_limit_masks,
@@ -101,7 +97,6 @@ constexpr std::array kDeviations{
         .kind = Kind::Approximation,
         .what =
             "Around an irregular vertex the triangles of the last level are approximated by one patch each.",
-        .page = "docs/deviations/bfr-approximation.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -110,7 +105,6 @@ constexpr std::array kDeviations{
         .kind = Kind::Error,
         .what = "Second derivatives have the wrong sign where a patch lies in a triangle turned by half a "
                 "circle.",
-        .page = "docs/deviations/second-derivative-sign.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -120,7 +114,6 @@ constexpr std::array kDeviations{
         .what =
             "The box-spline end cap is made with constants of six digits, also in double: its weights do not "
             "sum to 1.",
-        .page = "docs/deviations/bspline-endcap.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -130,7 +123,6 @@ constexpr std::array kDeviations{
         .what = "PatchTable, as it comes, smooths what is infinitely sharp below the sharp level and keeps "
                 "boundary vertices of one face; useInfSharpPatch and generateLegacySharpCornerPatches change "
                 "that.",
-        .page = "docs/deviations/patchtable-defaults.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -138,7 +130,6 @@ constexpr std::array kDeviations{
         .family = "opensubdiv",
         .kind = Kind::Documented,
         .what = "Sharpness that has not decayed one level above the last is approximated with it.",
-        .page = "docs/deviations/sharpness-cut-off.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -148,7 +139,6 @@ constexpr std::array kDeviations{
         .what = "Bfr knows only the sharp edges at the vertices of a face; whether the far half of a Chaikin "
                 "edge "
                 "stays sharp depends on others, and it is taken to.",
-        .page = "docs/deviations/bfr-chaikin.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -159,7 +149,6 @@ constexpr std::array kDeviations{
                 "1: the "
                 "share of the crease is the mean over those that end, and then one less ends.  Ours does the "
                 "same.",
-        .page = "docs/deviations/uniform-jump.md",
         .versions = "3.5.0",
     },
     KnownDeviation{
@@ -167,12 +156,15 @@ constexpr std::array kDeviations{
         .family = "opensubdiv",
         .kind = Kind::Error,
         .what = "On an unrefined mesh LimitFaceVarying leaves some of the values at a seam unwritten.",
-        .page = "docs/deviations/fvar-limit-level-0.md",
         .versions = "3.5.0",
     },
 };
 
 }  // namespace
+
+std::string page_of(const KnownDeviation& deviation) {
+    return fmt::format("docs/deviations/{}.md", deviation.name);
+}
 
 std::string_view name(KnownDeviation::Kind kind) {
     switch (kind) {

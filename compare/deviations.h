@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/loop/limit.h"
@@ -39,7 +40,6 @@ struct KnownDeviation {
     std::string_view family;  ///< of the subject, see Subject::family
     Kind kind;
     std::string_view what;      ///< one sentence
-    std::string_view page;      ///< in docs/
     std::string_view versions;  ///< of the subject in which it was seen
 
     // At most one of the two is set.  Those at surfaces are predicted by compare/surface, the others are
@@ -51,6 +51,9 @@ struct KnownDeviation {
     bool (*applies)(const LimitVertex& vertex) = nullptr;
     core::LimitMasks<core::HighPrecision> (*limit_as_done)(const core::Star& star) = nullptr;
 };
+
+/// Its page: docs/deviations/NAME.md.
+std::string page_of(const KnownDeviation& deviation);
 
 /// "error", "approximation", "documented".
 std::string_view name(KnownDeviation::Kind kind);

@@ -111,7 +111,7 @@ std::string deviation_in_words(const KnownDeviation& deviation, const Comparison
     }
     return fmt::format(
         "{}: {} Predicted: up to {:.6g}; observed: up to {:.6g}; as predicted at every vertex. See {}.",
-        deviation.name, deviation.what, expected, observed, deviation.page);
+        deviation.name, deviation.what, expected, observed, page_of(deviation));
 }
 
 std::string ancestry_in_words(const VertexRecord& record) {

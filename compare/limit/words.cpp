@@ -19,7 +19,7 @@ std::string vertices(std::size_t count) {
 std::string deviation_sentence(const DeviationSeen& seen, double largest_coordinate) {
     return fmt::format("{}: {} At {} of {}: {}; as predicted at each. See {}.", seen.deviation->name,
                        seen.deviation->what, vertices(seen.vertices), seen.subject,
-                       amounts_in_words(seen, largest_coordinate), seen.deviation->page);
+                       amounts_in_words(seen, largest_coordinate), page_of(*seen.deviation));
 }
 
 std::string vanished_sentence(const DeviationSeen& seen, const LimitSide& a, const LimitSide& b) {

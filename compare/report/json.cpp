@@ -58,6 +58,22 @@ Json json_of(const VertexRecord& r) {
     return out;
 }
 
+Json json_of(const LimitStats& stats, const Comparison& c);
+Json json_of(const LimitRecord& record);
+
+// What a level has in detail: each class, and the worst vertices.
+template <class Level>
+void add_classes_and_worst(Json& out, const Level& level, const Comparison& c) {
+    out["classes"] = Json::array();
+    for (const auto& [vertex_class, stats] : level.classes) {
+        Json entry{{"class", core::to_string(vertex_class)}};
+        entry.update(json_of(stats, c));
+        out["classes"].push_back(std::move(entry));
+    }
+    out["worst"] = Json::array();
+    for (const auto& record : level.worst) out["worst"].push_back(json_of(record));
+}
+
 enum class Detail { Levels, Classes };
 
 Json json_of(const LevelResult& level, const Comparison& c, Detail detail) {
@@ -66,14 +82,7 @@ Json json_of(const LevelResult& level, const Comparison& c, Detail detail) {
              {"faces", level.faces},
              {"all", json_of(total(level), c)}};
     if (detail == Detail::Levels) return out;
-    out["classes"] = Json::array();
-    for (const auto& [vertex_class, stats] : level.classes) {
-        Json entry{{"class", core::to_string(vertex_class)}};
-        entry.update(json_of(stats, c));
-        out["classes"].push_back(std::move(entry));
-    }
-    out["worst"] = Json::array();
-    for (const VertexRecord& record : level.worst) out["worst"].push_back(json_of(record));
+    add_classes_and_worst(out, level, c);
     return out;
 }
 
@@ -142,14 +151,7 @@ Json json_of(const LimitRecord& r) {
 Json json_of(const LimitLevelResult& level, const Comparison& c, Detail detail) {
     Json out{{"level", level.level}, {"verdict", name(level.verdict)}, {"all", json_of(total(level), c)}};
     if (detail == Detail::Levels) return out;
-    out["classes"] = Json::array();
-    for (const auto& [vertex_class, stats] : level.classes) {
-        Json entry{{"class", core::to_string(vertex_class)}};
-        entry.update(json_of(stats, c));
-        out["classes"].push_back(std::move(entry));
-    }
-    out["worst"] = Json::array();
-    for (const LimitRecord& record : level.worst) out["worst"].push_back(json_of(record));
+    add_classes_and_worst(out, level, c);
     return out;
 }
 

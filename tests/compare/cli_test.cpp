@@ -316,7 +316,7 @@ TEST(DeviationsCommand, ListsEveryOneAndExplainsEach) {
         const auto one = loopcheck({"explain", "--deviation", std::string(deviation.name)});
         EXPECT_EQ(one.code, 0) << one.err;
         EXPECT_SAYS(one.out, deviation.what);
-        EXPECT_SAYS(one.out, deviation.page);
+        EXPECT_SAYS(one.out, page_of(deviation));
         EXPECT_SAYS(one.out, "as predicted");
     }
     const auto none = loopcheck({"explain", "--deviation", "gravity"});

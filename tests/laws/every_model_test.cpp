@@ -84,40 +84,36 @@ void expect_right_limits(const LimitComparison& c, const Subject& peer) {
                name(c.verdict), all.normal.difference.count, all.undefined_count(), all.undetermined, notes);
 }
 
-TEST_P(EveryModel, AgreesWithEveryPeer) {
-    const auto model = load_model(std::string(LOOPCHECK_MODELS_DIR) + "/" + GetParam(), false);
+// Calls visit(referee, ours, peer) for every peer, under every boundary option.
+template <class Visit>
+void for_each_peer(const std::string& name, int levels, Visit visit) {
+    const auto model = load_model(std::string(LOOPCHECK_MODELS_DIR) + "/" + name, false);
     ASSERT_TRUE(model) << core::to_string(model.error());
     const auto subjects = built_in_subjects();
     for (const auto boundary :
          {core::BoundaryRule::EdgeAndCorner, core::BoundaryRule::EdgeOnly, core::BoundaryRule::None}) {
         Referee referee(model->mesh,
-                        options_for_model(model->model, boundary, std::nullopt, core::Weights::Loop),
-                        levels());
-        for (const Subject& peer : subjects) {
-            if (peer.family == "ours") continue;
-            const Subject* ours = in_precision(subjects, *find_subject(subjects, "ours"), peer.precision);
-            expect_right(referee.judge(*ours, peer), model->mesh, peer);
-        }
+                        options_for_model(model->model, boundary, std::nullopt, core::Weights::Loop), levels);
+        for (const Subject& peer : subjects)
+            if (peer.family != "ours")
+                visit(referee, *in_precision(subjects, *find_subject(subjects, "ours"), peer.precision),
+                      peer);
     }
+}
+
+TEST_P(EveryModel, AgreesWithEveryPeer) {
+    for_each_peer(GetParam(), levels(), [](Referee& referee, const Subject& ours, const Subject& peer) {
+        expect_right(referee.judge(ours, peer), referee.mesh(), peer);
+    });
 }
 
 // Limits: exact within the bound, or as a known deviation predicts, at every vertex; and each subject's limit
 // of a vertex is that of its vertex point.
 TEST_P(EveryModel, HasTheLimitsThatEveryPeerShouldHave) {
-    const auto model = load_model(std::string(LOOPCHECK_MODELS_DIR) + "/" + GetParam(), false);
-    ASSERT_TRUE(model) << core::to_string(model.error());
-    const auto subjects = built_in_subjects();
-    for (const auto boundary :
-         {core::BoundaryRule::EdgeAndCorner, core::BoundaryRule::EdgeOnly, core::BoundaryRule::None}) {
-        Referee referee(model->mesh,
-                        options_for_model(model->model, boundary, std::nullopt, core::Weights::Loop),
-                        std::min(levels(), 3));
-        for (const Subject& peer : subjects) {
-            const Subject* ours = in_precision(subjects, *find_subject(subjects, "ours"), peer.precision);
-            if (peer.family != "ours" && peer.limit)
-                expect_right_limits(referee.judge_limits(*ours, peer), peer);
-        }
-    }
+    for_each_peer(GetParam(), std::min(levels(), 3),
+                  [](Referee& referee, const Subject& ours, const Subject& peer) {
+                      if (peer.limit) expect_right_limits(referee.judge_limits(ours, peer), peer);
+                  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, EveryModel, testing::ValuesIn(model_names()), test_name);
