@@ -3,7 +3,7 @@
 #include "compare/explain.h"
 #include "compare/fractions.h"
 #include "compare/words.h"
-#include "core/loop/limit.h"
+#include "core/loop/evaluate.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -60,6 +60,9 @@ class LimitExplainer {
         out += fmt::format("  It is {} vertex of {} face{}; its limit is {}.\n",
                            t.is_boundary_vertex(vertex_) ? "a boundary" : "an interior", faces,
                            faces == 1 ? "" : "s", position.back() == 1 ? "itself" : "the mean below");
+        if (scheme_.classes[vertex_].kind == core::VertexClass::Kind::Interior && faces > 2)
+            out += fmt::format("  The curvature of the surface around it is {}.\n",
+                               core::name(core::curvature_at(faces)));
         return out;
     }
 

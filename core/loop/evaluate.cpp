@@ -285,6 +285,18 @@ Curvature curvature_at(int valence) {
     return valence == 4 || valence == 5 ? Curvature::Bounded : Curvature::Unbounded;
 }
 
+std::string_view name(Curvature curvature) {
+    switch (curvature) {
+        case Curvature::Continuous:
+            return "continuous";
+        case Curvature::Bounded:
+            return "bounded";
+        case Curvature::Unbounded:
+            return "unbounded";
+    }
+    return {};
+}
+
 std::optional<Error> no_limit_surface(const TriangleMesh& mesh, BoundaryRule boundary, Index face) {
     const Place place{Place::Kind::Face, face};
     if (face < 0 || face >= mesh.face_count())

@@ -29,6 +29,8 @@ enum class Smoothness : std::uint8_t {
 /// second derivatives.
 enum class Curvature : std::uint8_t { Continuous, Bounded, Unbounded };
 Curvature curvature_at(int valence);
+/// "continuous", "bounded", "unbounded".
+std::string_view name(Curvature curvature);
 
 /// A point of the limit surface and its derivatives as rows over the control vertices.
 template <class Scalar>

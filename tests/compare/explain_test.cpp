@@ -96,6 +96,12 @@ TEST(ExplainLimit, ShowsTheFractionsOfADart) {
     EXPECT_SAYS(text, "two directions that span the tangent plane");
 }
 
+TEST(ExplainLimit, SaysWhatTheCurvatureIs) {
+    EXPECT_SAYS(explain_limit_of("tetrahedron", 0), "The curvature of the surface around it is unbounded.");
+    EXPECT_SAYS(explain_limit_of("icosahedron", 0), "The curvature of the surface around it is bounded.");
+    EXPECT_SAYS(explain_limit_of("torus", 0), "The curvature of the surface around it is continuous.");
+}
+
 TEST(ExplainLimit, ShowsBothSidesOfACrease) {
     const auto text = explain_limit_of("crease-loop-irregular", 2);
     EXPECT_SAYS(text, "class: crease");
