@@ -81,7 +81,11 @@ struct SurfaceComparison {
 
 using SurfaceProgress = std::function<void(std::size_t face, std::size_t of)>;
 
-/// Compares one way with the exact surface.  Never throws and never fails: what goes wrong is the verdict.
+/// Compares some ways, at some levels, with the exact surface; the outcomes in the order of the checks.  Never
+/// throws and never fails: what goes wrong is the verdict.
+///
+/// Cost     the exact surface is computed once for all checks with the same levels and samples, and refined
+///          once for all.
 ///
 /// The prediction.  OpenSubdiv refines exactly down to the last level L and is exact on regular triangles; an
 /// irregular one gets an approximation there.  Both are linear in the points around it, so with the points
@@ -103,9 +107,11 @@ using SurfaceProgress = std::function<void(std::size_t face, std::size_t of)>;
 /// A second derivative in a turned regular triangle must be the exact one with the opposite sign.
 ///
 /// Range   1 <= smooth_level <= sharp_level <= reference::kOpensubdivMaxSurfaceLevel.
-SurfaceComparison compare_surface(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                                  const SurfaceCheck& check, const SurfaceEvaluator& evaluate,
-                                  LocalErrors& local, const SurfaceProgress& progress = {});
+std::vector<SurfaceComparison> compare_surfaces(const core::TriangleMesh& mesh,
+                                                const core::SchemeOptions& options,
+                                                std::span<const SurfaceCheck> checks,
+                                                const SurfaceEvaluator& evaluate, LocalErrors& local,
+                                                const SurfaceProgress& progress = {});
 inline constexpr double kPatchMagnitude = 2;
 
 /// Sets verdict and notes from what was counted: Differs where a sample is beyond its bound or a deviation
@@ -113,9 +119,12 @@ inline constexpr double kPatchMagnitude = 2;
 void give_verdict(SurfaceComparison& comparison);
 
 /// The same with the rates: also two levels deeper, where there are such levels, and both must be right.
-SurfaceComparison compare_surface_with_rates(const core::TriangleMesh& mesh,
-                                             const core::SchemeOptions& options, const SurfaceCheck& check,
-                                             const SurfaceEvaluator& evaluate,
-                                             const SurfaceProgress& progress = {});
+/// `local` must know the ways of the checks.
+std::vector<SurfaceComparison> compare_surfaces_with_rates(const core::TriangleMesh& mesh,
+                                                           const core::SchemeOptions& options,
+                                                           std::span<const SurfaceCheck> checks,
+                                                           const SurfaceEvaluator& evaluate,
+                                                           LocalErrors& local,
+                                                           const SurfaceProgress& progress = {});
 
 }  // namespace loopcheck::compare

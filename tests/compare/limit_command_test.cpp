@@ -22,7 +22,9 @@ SurfaceReport report_of(const core::TriangleMesh& mesh, const core::SchemeOption
     SurfaceReport out{"model", 0, 0, {}};
     SurfaceCheck check{*find_way(way)};
     check.samples = samples;
-    out.comparisons.push_back(compare_surface_with_rates(mesh, options, check, evaluate));
+    LocalErrors local(std::array{check.way}, evaluate);
+    out.comparisons =
+        compare_surfaces_with_rates(mesh, options, std::array{check}, evaluate, local);
     return out;
 }
 
