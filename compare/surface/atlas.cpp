@@ -200,7 +200,8 @@ Atlas make_atlas(std::span<const SurfaceWay> ways, std::span<const CornerClass> 
                  const AtlasProgress& progress) {
     Atlas out{{levels.begin(), levels.end()}, {}};
     for (const SurfaceWay& way : ways)
-        for (const CornerClass& c : classes) out.rows.push_back({std::string(way.name), c, {}, {}, eigenvalue(c)});
+        for (const CornerClass& c : classes)
+            out.rows.push_back({std::string(way.name), c, {}, {}, eigenvalue(c)});
     for (std::size_t k = 0; k < classes.size(); ++k) {
         if (progress) progress(k, classes.size(), to_string(classes[k]));
         for (const int level : levels) {

@@ -34,7 +34,8 @@ struct AtlasError {
 /// and the parameters of `crowded_parameters(sharp_level + kAtlasOctaves)` with the vertex itself.
 /// Derivatives count inside the patch of the last level around the vertex only, and not at the vertex itself.
 ///
-/// Errors   Unsupported where there is no local mesh, or more than kMostLocalFaces faces at the vertex that are
+/// Errors   Unsupported where there is no local mesh, or more than kMostLocalFaces faces at the vertex that
+/// are
 ///          not alike; those of `evaluate`.
 core::Result<AtlasError> atlas_error(CornerClass c, const reference::SurfaceSettings& settings,
                                      const SurfaceEvaluator& evaluate);

@@ -222,8 +222,9 @@ class Judge {
     // On an approximated triangle: the largest error over its bound, in coordinates.
     double approximate_use(SurfaceStats& stats, const core::SurfaceRows& off, const Stencil& exact,
                            const PatchAt& patch) {
-        const AtlasError* known =
-            patch.kind == PatchAt::Kind::Approximate ? local_.of(out_.check.way, patch.corner_class) : nullptr;
+        const AtlasError* known = patch.kind == PatchAt::Kind::Approximate
+                                      ? local_.of(out_.check.way, patch.corner_class)
+                                      : nullptr;
         tally(off, exact, patch, known);
         const Values error = values_of(off, mesh_.positions());
         const bool derivatives = known != nullptr && exact.smoothness == core::Smoothness::Regular;
@@ -294,6 +295,13 @@ Index width_of(const core::Topology& t, Index face) {
     return out;
 }
 
+double stencil_work(const core::Topology& t) {
+    double work = 0;
+    for (Index v = 0; v < t.vertex_count; ++v)
+        if (t.ring(v).size() != 6) work += std::pow(static_cast<double>(t.ring(v).size()), 3);
+    return work;
+}
+
 Index stride_of(const core::TriangleMesh& mesh) {
     double work = 0;
     for (Index f = 0; f < mesh.face_count(); ++f) work += std::pow(width_of(mesh.topology(), f), 3);
@@ -321,7 +329,7 @@ struct Truth {
 struct Group {
     std::vector<std::size_t> members;  // numbers of checks
     std::size_t truth = 0;
-    bool overweight = false;  // `rules_as_done`
+    bool overweight = false;                 // `rules_as_done`
     bool blurring = false, keeping = false;  // a member that `blurs`, one that does not
     std::vector<Sample> waiting;
     std::vector<SampleTruth> truths;  // of those that wait
@@ -355,7 +363,9 @@ class Run {
     std::vector<SurfaceComparison> compare(const SurfaceProgress& progress) && {
         const Index stride = stride_of(mesh_);
         for (Index f = 0; f < mesh_.face_count(); f += stride) {
-            if (core::no_limit_surface(mesh_, truths_.front()->rules.boundary, f)) {
+            if (const auto why = core::no_limit_surface(mesh_, truths_.front()->rules.boundary, f)) {
+                if (absent_.empty())
+                    for (SurfaceComparison& c : out_) c.reason = core::to_string(*why);
                 absent_.push_back({f, 1. / 4, 1. / 4});
                 continue;
             }
@@ -475,6 +485,21 @@ class Run {
     std::vector<core::SurfaceLocation> absent_;
 };
 
+std::vector<SurfaceComparison> too_much_work(double work, const core::SchemeOptions& options,
+                                             std::span<const SurfaceCheck> checks) {
+    std::vector<SurfaceComparison> out(checks.size());
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+        out[i].check = checks[i];
+        out[i].options = options;
+        out[i].verdict = Verdict::NotSupported;
+        out[i].notes = {
+            fmt::format("Too many edges at its irregular vertices: their numbers cubed add up to {:.3g}, and "
+                        "at most {:.3g} are looked at.",
+                        work, kMostStencilWork)};
+    }
+    return out;
+}
+
 }  // namespace
 
 reference::SurfaceSettings settings_of(const SurfaceCheck& check) {
@@ -491,6 +516,8 @@ std::vector<SurfaceComparison> compare_surfaces(const core::TriangleMesh& mesh,
                                                 const SurfaceEvaluator& evaluate, LocalErrors& local,
                                                 const SurfaceProgress& progress) {
     if (checks.empty()) return {};
+    if (const double work = stencil_work(mesh.topology()); work > kMostStencilWork)
+        return too_much_work(work, options, checks);
     auto out = Run(mesh, options, checks, evaluate, local).compare(progress);
     for (SurfaceComparison& c : out)
         if (c.verdict == Verdict::NotSupported || c.verdict == Verdict::Failed) {

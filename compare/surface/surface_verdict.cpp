@@ -55,7 +55,9 @@ void give_verdict(SurfaceComparison& c) {
     for (const auto& [face_class, stats] : c.classes) samples += stats.samples;
     if (samples == 0) {
         c.verdict = Verdict::NotSupported;
-        c.notes = {"No face has a limit surface; nothing was compared."};
+        c.notes = {c.reason.empty()
+                       ? "The mesh has no face; nothing was compared."
+                       : fmt::format("No face has a limit surface; nothing was compared.  {}", c.reason)};
         return;
     }
     c.verdict = Verdict::WithinRounding;
@@ -89,12 +91,9 @@ void give_verdict(SurfaceComparison& c) {
     if (c.verdict == Verdict::WithinRounding) c.notes.push_back("Rounding explains every difference.");
 }
 
-std::vector<SurfaceComparison> compare_surfaces_with_rates(const core::TriangleMesh& mesh,
-                                                           const core::SchemeOptions& options,
-                                                           std::span<const SurfaceCheck> checks,
-                                                           const SurfaceEvaluator& evaluate,
-                                                           LocalErrors& local,
-                                                           const SurfaceProgress& progress) {
+std::vector<SurfaceComparison> compare_surfaces_with_rates(
+    const core::TriangleMesh& mesh, const core::SchemeOptions& options, std::span<const SurfaceCheck> checks,
+    const SurfaceEvaluator& evaluate, LocalErrors& local, const SurfaceProgress& progress) {
     // First those asked for, then the deeper ones, with what they belong to.
     std::vector<SurfaceCheck> all(checks.begin(), checks.end());
     std::vector<std::size_t> shallower;
@@ -106,8 +105,7 @@ std::vector<SurfaceComparison> compare_surfaces_with_rates(const core::TriangleM
         shallower.push_back(i);
     }
     auto out = compare_surfaces(mesh, options, all, evaluate, local, progress);
-    for (std::size_t i = 0; i < shallower.size(); ++i)
-        add_deeper(out[shallower[i]], out[checks.size() + i]);
+    for (std::size_t i = 0; i < shallower.size(); ++i) add_deeper(out[shallower[i]], out[checks.size() + i]);
     out.resize(checks.size());
     return out;
 }

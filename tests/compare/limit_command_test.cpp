@@ -9,6 +9,7 @@
 #include "compare/cli/cli.h"
 #include "compare/report/surface.h"
 #include "tests/compare/support.h"
+#include "tests/support/meshes.h"
 #include "tests/support/models.h"
 #include "tests/support/observed.h"
 
@@ -112,6 +113,14 @@ TEST(SurfaceComparison, FindsTheSignWhereItIsPredictedAndNowhereElse) {
     EXPECT_EQ(report.exit_code(), 0);
 }
 
+TEST(SurfaceComparison, RefusesAValenceThatTakesTooLong) {
+    const auto report =
+        report_of(tests::mesh_of(tests::bipyramid(800)), {}, "bfr", reference::opensubdiv_surface);
+    EXPECT_EQ(report.comparisons[0].verdict, Verdict::NotSupported);
+    EXPECT_NE(report.comparisons[0].notes.at(0).find("Too many edges"), std::string::npos);
+    EXPECT_EQ(report.exit_code(), 3);
+}
+
 // Every way with few samples a face; two ways, and fewer samples, under sanitizers.
 std::vector<SurfaceCheck> checks_of_every_way() {
     const bool sanitized = std::getenv("LOOPCHECK_TEST_LEVELS") != nullptr;
@@ -177,7 +186,10 @@ TEST(LimitCommand, ExitsWithTwoOnBadUsage) {
 }
 
 TEST(LimitCommand, ExitsWithThreeWhereNothingCanBeCompared) {
-    EXPECT_EQ(loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"}).code, 3);
+    const auto r = loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"});
+    EXPECT_EQ(r.code, 3);
+    EXPECT_NE(r.out.find("with the boundary option none there is no surface there"), std::string::npos)
+        << r.out;
     EXPECT_EQ(loopcheck({"limit", test::model_path("icosahedron"), "--weights", "warren"}).code, 3);
 }
 
