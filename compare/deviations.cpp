@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "compare/limit/opensubdiv_masks.h"
@@ -194,6 +195,15 @@ const KnownDeviation* find_deviation(std::span<const KnownDeviation> list, std::
     return nullptr;
 }
 
+namespace {
+
+bool is_anything_semi_sharp(const core::Sharpness& sharpness) {
+    return std::any_of(sharpness.edge.begin(), sharpness.edge.end(), core::is_semi_sharp) ||
+           std::any_of(sharpness.vertex.begin(), sharpness.vertex.end(), core::is_semi_sharp);
+}
+
+}  // namespace
+
 bool is_predicted(const KnownDeviation& deviation, const core::TriangleMesh& mesh,
                   const core::SchemeOptions& options, int levels) {
     if (deviation.as_done == nullptr) return false;
@@ -201,6 +211,8 @@ bool is_predicted(const KnownDeviation& deviation, const core::TriangleMesh& mes
     if (done == options) return false;
     core::SchemeLevel level = core::control_level(mesh, options.boundary);
     for (int l = 0; l < levels; ++l) {
+        // The options that make masks differ say what becomes of a finite sharpness.
+        if (!is_anything_semi_sharp(level.sharpness)) return false;
         const auto halves = core::half_edge_sharpness(level.topology, level.sharpness, options.creasing);
         const auto rows = core::make_rows(level.topology, level.sharpness, halves, options);
         const auto rows_done = core::make_rows(level.topology, level.sharpness, halves, done);

@@ -65,7 +65,7 @@ std::span<const KnownDeviation> known_deviations();
 const KnownDeviation* find_deviation(std::span<const KnownDeviation> list, std::string_view name);
 
 /// True where a deviation in refinement changes a mask on the way to level `levels`, so that it must show.
-/// False for those at limits.
+/// False for those at limits.  Cost: that of refining the mesh until its sharpness has decayed.
 bool is_predicted(const KnownDeviation& deviation, const core::TriangleMesh& mesh,
                   const core::SchemeOptions& options, int levels);
 

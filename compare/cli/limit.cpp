@@ -37,15 +37,16 @@ int run_limit(const Context& context, const Flags& flags) {
                          {}};
     {
         Progress progress(context);
-        for (const SurfaceWay& way : flags.way.ways()) {
-            SurfaceCheck check = flags.check;
-            check.way = way;
-            report.comparisons.push_back(compare_surface_with_rates(
-                model->mesh, options, check, reference::opensubdiv_surface,
-                [&](std::size_t face, std::size_t of) {
-                    if (face % 64 == 0) progress.show(fmt::format("{}: face {} of {}", way.name, face, of));
-                }));
-        }
+        const auto ways = flags.way.ways();
+        std::vector<SurfaceCheck> checks(ways.size(), flags.check);
+        for (std::size_t i = 0; i < ways.size(); ++i) checks[i].way = ways[i];
+        LocalErrors local(ways, reference::opensubdiv_surface);
+        report.comparisons =
+            compare_surfaces_with_rates(model->mesh, options, checks, reference::opensubdiv_surface, local,
+                                        [&](std::size_t face, std::size_t of) {
+                                            if (face % 64 == 0)
+                                                progress.show(fmt::format("face {} of {}", face, of));
+                                        });
     }
     context.out << surface_as_text(report, reference::opensubdiv_version());
     if (!flags.json.empty() &&

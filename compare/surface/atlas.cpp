@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loopcheck::compare {
 namespace {
 
 using core::Derivative;
+using reference::SurfaceSettings;
 using Weights = std::vector<double>;
 using AllWeights = std::array<Weights, core::kDerivatives>;
 
@@ -79,7 +81,7 @@ int different_faces(CornerClass c) {
 
 core::Error no_mesh(CornerClass c) {
     return {core::ErrorCode::Unsupported,
-            fmt::format("There is no mesh with only one irregular vertex of the class {}.", to_string(c)),
+            fmt::format("The class {} has no local mesh, or too large a one.", to_string(c)),
             {}};
 }
 
@@ -91,42 +93,93 @@ std::optional<double> rate_of(const Atlas& atlas, const AtlasRow& row) {
     return std::pow(last.largest[0] / before.largest[0], 1. / (atlas.levels[n - 1] - atlas.levels[n - 2]));
 }
 
-}  // namespace
-
-core::Result<AtlasError> atlas_error(CornerClass c, const reference::SurfaceSettings& settings,
-                                     const SurfaceEvaluator& evaluate) {
-    const auto mesh = local_mesh(c);
-    if (!mesh) return tl::unexpected(no_mesh(c));
-    core::SchemeOptions options;
-    options.boundary = core::BoundaryRule::EdgeOnly;
-    auto parameters = crowded_parameters(settings.sharp_level + kAtlasOctaves);
-    parameters.push_back({0, 0});
+// The parameters of one face at the vertex, with the exact surface there.
+struct FaceTruth {
     std::vector<core::SurfaceLocation> locations;
-    for (core::Index f = 0; f < different_faces(c); ++f)
-        for (const CornerParameter& p : parameters) locations.push_back(location_at(f, 0, p));
-    const auto rows = evaluate(*mesh, options, settings, locations);
-    if (!rows) return tl::unexpected(rows.error());
+    std::vector<core::SurfaceStencil<double>> exact;
+};
 
-    core::LimitSurface<double> surface(*mesh, options);
-    AtlasError out;
-    const double last_patch = std::ldexp(1, -settings.sharp_level);
-    for (std::size_t i = 0; i < locations.size(); ++i) {
-        const auto& [face, u, v] = locations[i];
-        const auto exact = surface.stencil(face, u, v);
+core::Result<FaceTruth> truth_of(core::LimitSurface<double>& surface, core::Index face,
+                                 std::span<const CornerParameter> parameters) {
+    FaceTruth out;
+    for (const CornerParameter& p : parameters) {
+        out.locations.push_back(location_at(face, 0, p));
+        const auto& [f, u, v] = out.locations.back();
+        auto exact = surface.stencil(f, u, v);
         if (!exact) return tl::unexpected(exact.error());
-        if (!(*rows)[i])
-            return core::fail(core::ErrorCode::SubjectFailed, "There is no surface where there must be one.",
-                              {core::Place::Kind::Face, face});
-        add(out, *(*rows)[i], *exact, place_in_patch(u + v, last_patch));
+        out.exact.push_back(std::move(*exact));
     }
     return out;
 }
 
-const AtlasError* LocalErrors::of(CornerClass c) {
+// `last_patch` is the size of the patch of the last level.
+core::Result<AtlasError> error_of(std::span<const FaceTruth> faces, double last_patch,
+                                  const core::Result<std::vector<std::optional<core::SurfaceRows>>>& rows) {
+    if (!rows) return tl::unexpected(rows.error());
+    AtlasError out;
+    auto row = rows->begin();
+    for (const FaceTruth& truth : faces)
+        for (std::size_t i = 0; i < truth.exact.size(); ++i, ++row) {
+            const auto& [face, u, v] = truth.locations[i];
+            if (!*row)
+                return core::fail(core::ErrorCode::SubjectFailed,
+                                  "There is no surface where there must be one.",
+                                  {core::Place::Kind::Face, face});
+            add(out, **row, truth.exact[i], place_in_patch(u + v, last_patch));
+        }
+    return out;
+}
+
+// `settings` with the same levels: the exact surface is computed once for all.
+std::vector<core::Result<AtlasError>> measure(CornerClass c, std::span<const SurfaceSettings> settings,
+                                              const SurfaceEvaluator& evaluate) {
+    const auto all = [&](const core::Error& error) {
+        return std::vector<core::Result<AtlasError>>(settings.size(), tl::unexpected(error));
+    };
+    const auto mesh = local_mesh(c);
+    if (!mesh || different_faces(c) > kMostLocalFaces) return all(no_mesh(c));
+    core::SchemeOptions options;
+    options.boundary = core::BoundaryRule::EdgeOnly;
+    const int level = settings.front().sharp_level;
+    auto parameters = crowded_parameters(level + kAtlasOctaves);
+    parameters.push_back({0, 0});
+
+    core::LimitSurface<double> surface(*mesh, options);
+    std::vector<FaceTruth> faces;
+    std::vector<core::SurfaceLocation> locations;
+    for (core::Index f = 0; f < different_faces(c); ++f) {
+        auto truth = truth_of(surface, f, parameters);
+        if (!truth) return all(truth.error());
+        locations.insert(locations.end(), truth->locations.begin(), truth->locations.end());
+        faces.push_back(std::move(*truth));
+    }
+    std::vector<core::Result<AtlasError>> out;
+    for (const SurfaceSettings& s : settings)
+        out.push_back(error_of(faces, std::ldexp(1, -level), evaluate(*mesh, options, s, locations)));
+    return out;
+}
+
+}  // namespace
+
+core::Result<AtlasError> atlas_error(CornerClass c, const reference::SurfaceSettings& settings,
+                                     const SurfaceEvaluator& evaluate) {
+    return std::move(measure(c, std::array{settings}, evaluate).front());
+}
+
+std::vector<core::Result<AtlasError>> atlas_errors(CornerClass c, std::span<const SurfaceWay> ways, int level,
+                                                   const SurfaceEvaluator& evaluate) {
+    std::vector<SurfaceSettings> settings;
+    for (const SurfaceWay& way : ways) settings.push_back({way.method, level, level, way.sharpness});
+    return measure(c, settings, evaluate);
+}
+
+const AtlasError* LocalErrors::of(const SurfaceWay& way, CornerClass c) {
     auto found = known_.find(c);
-    if (found == known_.end())
-        found = known_.emplace(c, atlas_error(c, {way_.method, 1, 1, way_.sharpness}, evaluate_)).first;
-    return found->second ? &*found->second : nullptr;
+    if (found == known_.end()) found = known_.emplace(c, atlas_errors(c, ways_, 1, evaluate_)).first;
+    const auto at = std::find_if(ways_.begin(), ways_.end(),
+                                 [&](const SurfaceWay& known) { return known.name == way.name; });
+    const auto& error = found->second.at(static_cast<std::size_t>(at - ways_.begin()));
+    return error ? &*error : nullptr;
 }
 
 std::vector<CornerClass> atlas_classes() {
@@ -147,16 +200,17 @@ Atlas make_atlas(std::span<const SurfaceWay> ways, std::span<const CornerClass> 
                  const AtlasProgress& progress) {
     Atlas out{{levels.begin(), levels.end()}, {}};
     for (const SurfaceWay& way : ways)
-        for (const CornerClass& c : classes) {
-            if (progress)
-                progress(out.rows.size(), ways.size() * classes.size(),
-                         fmt::format("{} {}", way.name, to_string(c)));
-            AtlasRow row{std::string(way.name), c, {}, {}, eigenvalue(c)};
-            for (const int level : levels)
-                row.levels.push_back(atlas_error(c, {way.method, level, level, way.sharpness}, evaluate));
-            row.rate = rate_of(out, row);
-            out.rows.push_back(std::move(row));
+        for (const CornerClass& c : classes)
+            out.rows.push_back({std::string(way.name), c, {}, {}, eigenvalue(c)});
+    for (std::size_t k = 0; k < classes.size(); ++k) {
+        if (progress) progress(k, classes.size(), to_string(classes[k]));
+        for (const int level : levels) {
+            auto errors = atlas_errors(classes[k], ways, level, evaluate);
+            for (std::size_t i = 0; i < ways.size(); ++i)
+                out.rows[i * classes.size() + k].levels.push_back(std::move(errors[i]));
         }
+    }
+    for (AtlasRow& row : out.rows) row.rate = rate_of(out, row);
     return out;
 }
 

@@ -34,25 +34,32 @@ struct AtlasError {
 /// and the parameters of `crowded_parameters(sharp_level + kAtlasOctaves)` with the vertex itself.
 /// Derivatives count inside the patch of the last level around the vertex only, and not at the vertex itself.
 ///
-/// Errors   Unsupported where there is no local mesh; those of `evaluate`.
+/// Errors   Unsupported where there is no local mesh, or more than kMostLocalFaces faces at the vertex that
+/// are
+///          not alike; those of `evaluate`.
 core::Result<AtlasError> atlas_error(CornerClass c, const reference::SurfaceSettings& settings,
                                      const SurfaceEvaluator& evaluate);
 inline constexpr int kAtlasOctaves = 6;
+inline constexpr int kMostLocalFaces = 64;
+
+/// The same for several ways at one level, each with its own result, for hardly more than one.
+std::vector<core::Result<AtlasError>> atlas_errors(CornerClass c, std::span<const SurfaceWay> ways, int level,
+                                                   const SurfaceEvaluator& evaluate);
 
 /// The same at level 1, made once a class: the error in terms of the points around the vertex one level above
-/// the approximated patch, which is the same at every level.
+/// the approximated patch, which is the same at every level and on every mesh.
 class LocalErrors {
   public:
-    LocalErrors(const SurfaceWay& way, SurfaceEvaluator evaluate)
-        : way_(way), evaluate_(std::move(evaluate)) {}
+    LocalErrors(std::span<const SurfaceWay> ways, SurfaceEvaluator evaluate)
+        : ways_(ways.begin(), ways.end()), evaluate_(std::move(evaluate)) {}
 
-    /// Null where it cannot be measured.
-    const AtlasError* of(CornerClass c);
+    /// Null where it cannot be measured.  `way` must be one of the ways.
+    const AtlasError* of(const SurfaceWay& way, CornerClass c);
 
   private:
-    SurfaceWay way_;
+    std::vector<SurfaceWay> ways_;
     SurfaceEvaluator evaluate_;
-    std::map<CornerClass, core::Result<AtlasError>> known_;
+    std::map<CornerClass, std::vector<core::Result<AtlasError>>> known_;  // a result a way
 };
 
 /// One class under one way, at every level asked for.

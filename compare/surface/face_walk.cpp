@@ -38,10 +38,6 @@ bool is_legacy_corner(const CornerView& view) {
     return view.settled && view.star.open && !view.star.pinned && view.sector.faces == 1;
 }
 
-bool blurs(const SurfaceSettings& settings) {
-    return settings.method != SurfaceMethod::Bfr && settings.sharpness == PatchSharpness::Default;
-}
-
 // Where a parameter is in one of the four children of its triangle.
 int descend(double& u, double& v) {
     const int k = u >= 0.5 ? 1 : v >= 0.5 ? 2 : u + v <= 0.5 ? 0 : 3;
@@ -60,6 +56,10 @@ Spread spread_of(std::span<const glm::dvec3> points) {
 }
 
 }  // namespace
+
+bool blurs(const SurfaceSettings& settings) {
+    return settings.method != SurfaceMethod::Bfr && settings.sharpness == PatchSharpness::Default;
+}
 
 // A triangle with what is around it.
 struct FaceWalk::Node {

@@ -37,6 +37,9 @@ struct PatchAt {
     Spread spread;
 };
 
+/// PatchTable as it comes: what is infinitely sharp is smoothed in the last level.
+bool blurs(const reference::SurfaceSettings& settings);
+
 /// The refinement of one face of a control mesh, as deep as it was asked for.
 ///
 /// Method  OpenSubdiv refines a triangle while a corner of it is irregular, in any of its sectors, down to

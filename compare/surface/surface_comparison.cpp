@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include "compare/surface/face_walk.h"
@@ -104,44 +105,59 @@ bool is_semi_sharp(CornerClass c) {
     return c.kind == CornerClass::Kind::SemiSharp;
 }
 
+// What all samples of a face share.
+struct FaceAround {
+    std::array<CornerClass, 3> classes;
+    Spread spread;
+
+    FaceClass face_class() const { return compare::face_class(classes); }
+    bool is_semi_sharp() const { return std::any_of(classes.begin(), classes.end(), compare::is_semi_sharp); }
+};
+
+// True where `LocalErrors` looked at this place in a patch: around the sample's own corner, and not too near.
+bool is_measured(const Sample& sample, const PatchAt& patch) {
+    if (patch.kind != PatchAt::Kind::Approximate) return true;
+    if (patch.corner != sample.corner) return false;
+    const auto& [face, u, v] = sample.location;
+    const std::array<double, 3> distance{u + v, 1 - u, 1 - v};
+    const double in_parent = std::ldexp(distance[sample.corner], patch.depth - 1);
+    return in_parent == 0 || in_parent > std::ldexp(1, -1 - kAtlasOctaves);
+}
+
+// All that is exact at a sample.
+struct SampleTruth {
+    std::shared_ptr<const FaceAround> face;
+    std::array<PatchAt, 2> patches;  // by `blurs`
+    std::optional<Stencil> surface;  // where a patch `is_measured`
+};
+
 // What is known of one mesh under one way while its samples are judged.
 class Judge {
   public:
-    Judge(const core::TriangleMesh& mesh, const core::SchemeOptions& truth, SurfaceComparison& out,
-          LocalErrors& local)
-        : mesh_(mesh), exact_(mesh, truth), out_(out), local_(local) {}
+    Judge(const core::TriangleMesh& mesh, SurfaceComparison& out, LocalErrors& local)
+        : mesh_(mesh), out_(out), local_(local) {}
 
-    void judge(const Sample& sample, FaceWalk& walk, const std::optional<core::SurfaceRows>& rows) {
-        const auto& [face, u, v] = sample.location;
-        const PatchAt patch = walk.patch_at(u, v, settings_of(out_.check));
-        if (patch.kind == PatchAt::Kind::Approximate && !is_measured(sample, patch)) return;
-        SurfaceStats& stats = out_.classes[face_class(walk.classes())];
+    void judge(const Sample& sample, const SampleTruth& truth, const std::optional<core::SurfaceRows>& rows) {
+        const PatchAt& patch = truth.patches[blurs(settings_of(out_.check)) ? 1 : 0];
+        if (!is_measured(sample, patch)) return;
+        SurfaceStats& stats = out_.classes[truth.face->face_class()];
         ++stats.samples;
         if (!rows) {
             ++stats.beyond;
             return;
         }
-        const Stencil exact = exact_.stencil(face, u, v).value();
+        const Stencil& exact = *truth.surface;
         const core::SurfaceRows off = difference(*rows, exact);
         report(stats, *rows, exact, patch);
-        const double use = patch.kind == PatchAt::Kind::Regular ? regular_use(off, *rows, exact, patch, walk)
-                                                                : approximate_use(stats, off, exact, patch);
+        const double use = patch.kind == PatchAt::Kind::Regular
+                               ? regular_use(off, *rows, exact, patch, *truth.face)
+                               : approximate_use(stats, off, exact, patch);
         stats.bound_use = larger(stats.bound_use, use);
         if (!(use <= 1)) ++stats.beyond;
     }
 
   private:
     DeviationCount& count(Id id) { return out_.deviations[static_cast<int>(id)]; }
-
-    // True where `LocalErrors` looked at this place in a patch: around the sample's own corner, and not too
-    // near.
-    static bool is_measured(const Sample& sample, const PatchAt& patch) {
-        if (patch.corner != sample.corner) return false;
-        const auto& [face, u, v] = sample.location;
-        const std::array<double, 3> distance{u + v, 1 - u, 1 - v};
-        const double in_parent = std::ldexp(distance[sample.corner], patch.depth - 1);
-        return in_parent == 0 || in_parent > std::ldexp(1, -1 - kAtlasOctaves);
-    }
 
     void report(SurfaceStats& stats, const core::SurfaceRows& rows, const Stencil& exact,
                 const PatchAt& patch) {
@@ -158,13 +174,13 @@ class Judge {
 
     // On a regular triangle: the largest error over its bound, in weights.
     double regular_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
-                       const PatchAt& patch, const FaceWalk& walk) {
+                       const PatchAt& patch, const FaceAround& face) {
         double use = use_of(off, exact, patch.depth, 0, 0);
-        if (misses_chaikin(walk) && !(use <= 1)) {
+        if (misses_chaikin(face) && !(use <= 1)) {
             DeviationCount& seen = count(Id::BfrChaikin);
             ++seen.shown;
             seen.largest = larger(seen.largest, size_of(off.weights[0]));
-            return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * walk.spread().half);
+            return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * face.spread.half);
         }
         if (exact.smoothness != core::Smoothness::Regular) return use;
         use = larger(use, use_of(off, exact, patch.depth, 1, 2));
@@ -172,10 +188,9 @@ class Judge {
                                           : turned_use(off, rows, exact, patch.depth));
     }
 
-    bool misses_chaikin(const FaceWalk& walk) {
+    bool misses_chaikin(const FaceAround& face) {
         const bool out = out_.check.way.method == reference::SurfaceMethod::Bfr &&
-                         out_.options.creasing == core::Creasing::Chaikin &&
-                         std::any_of(walk.classes().begin(), walk.classes().end(), is_semi_sharp);
+                         out_.options.creasing == core::Creasing::Chaikin && face.is_semi_sharp();
         if (out) ++count(Id::BfrChaikin).possible;
         return out;
     }
@@ -207,8 +222,9 @@ class Judge {
     // On an approximated triangle: the largest error over its bound, in coordinates.
     double approximate_use(SurfaceStats& stats, const core::SurfaceRows& off, const Stencil& exact,
                            const PatchAt& patch) {
-        const AtlasError* known =
-            patch.kind == PatchAt::Kind::Approximate ? local_.of(patch.corner_class) : nullptr;
+        const AtlasError* known = patch.kind == PatchAt::Kind::Approximate
+                                      ? local_.of(out_.check.way, patch.corner_class)
+                                      : nullptr;
         tally(off, exact, patch, known);
         const Values error = values_of(off, mesh_.positions());
         const bool derivatives = known != nullptr && exact.smoothness == core::Smoothness::Regular;
@@ -222,7 +238,7 @@ class Judge {
     }
 
     glm::dvec3 bound_of(const Stencil& exact, const PatchAt& patch, const AtlasError* known, int d) const {
-        const glm::dvec3 rounding(2 * allowed(exact, d, patch.depth) * mesh_.largest_coordinate());
+        const glm::dvec3 rounding(2 * allowed(exact, d, patch.depth) * out_.largest_coordinate);
         if (known == nullptr) return (1 + kPatchMagnitude) * patch.spread.half + rounding;
         const double scale = std::ldexp(1., order(d) * (patch.depth - 1));
         return scale * (known->largest[order(d)] * patch.spread.half +
@@ -259,7 +275,6 @@ class Judge {
     }
 
     const core::TriangleMesh& mesh_;
-    core::LimitSurface<double> exact_;
     SurfaceComparison& out_;
     LocalErrors& local_;
 };
@@ -273,107 +288,217 @@ std::pair<core::SchemeOptions, bool> rules_as_done(const core::TriangleMesh& mes
     return {options, false};
 }
 
-// Judges the faces one after the other, asking for many at once.
+// The edges around the corners of a face: the width of its rows, but for vertices that are in several rings.
+Index width_of(const core::Topology& t, Index face) {
+    Index out = 0;
+    for (const Index v : t.triangles[face]) out += static_cast<Index>(t.ring(v).size());
+    return out;
+}
+
+double stencil_work(const core::Topology& t) {
+    double work = 0;
+    for (Index v = 0; v < t.vertex_count; ++v)
+        if (t.ring(v).size() != 6) work += std::pow(static_cast<double>(t.ring(v).size()), 3);
+    return work;
+}
+
+Index stride_of(const core::TriangleMesh& mesh) {
+    double work = 0;
+    for (Index f = 0; f < mesh.face_count(); ++f) work += std::pow(width_of(mesh.topology(), f), 3);
+    return static_cast<Index>(work / kMostWork) / 2 * 2 + 1;
+}
+
+// The exact surface under some rules, face after face.
+struct Truth {
+    core::SchemeOptions rules;
+    core::SchemeLevel control;
+    core::LimitSurface<double> surface;
+    std::optional<FaceWalk> walk;  // of the face that is looked at
+    std::shared_ptr<const FaceAround> around;
+
+    Truth(const core::TriangleMesh& mesh, const core::SchemeOptions& options)
+        : rules(options), control(core::control_level(mesh, options.boundary)), surface(mesh, options) {}
+
+    void enter(const core::TriangleMesh& mesh, Index face) {
+        walk.emplace(control, rules, mesh.positions(), face);
+        around = std::make_shared<const FaceAround>(FaceAround{walk->classes(), walk->spread()});
+    }
+};
+
+// Checks with the same levels, on the same samples.
+struct Group {
+    std::vector<std::size_t> members;  // numbers of checks
+    std::size_t truth = 0;
+    bool overweight = false;                 // `rules_as_done`
+    bool blurring = false, keeping = false;  // a member that `blurs`, one that does not
+    std::vector<Sample> waiting;
+    std::vector<SampleTruth> truths;  // of those that wait
+};
+
+bool look_alike(const SurfaceCheck& a, const SurfaceCheck& b) {
+    return a.smooth_level == b.smooth_level && a.sharp_level == b.sharp_level && a.samples == b.samples;
+}
+
+// Looks at the faces one after the other, judging many at once.  What is exact is computed once for all
+// checks, and what is refined for it once for all levels.
 class Run {
   public:
-    Run(const core::TriangleMesh& mesh, const core::SchemeOptions& truth, SurfaceComparison& out,
-        const SurfaceEvaluator& evaluate, LocalErrors& local)
-        : mesh_(mesh),
-          truth_(truth),
-          control_(core::control_level(mesh, truth.boundary)),
-          out_(out),
-          evaluate_(evaluate),
-          judge_(mesh, truth, out, local) {}
+    Run(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+        std::span<const SurfaceCheck> checks, const SurfaceEvaluator& evaluate, LocalErrors& local)
+        : mesh_(mesh), evaluate_(evaluate), local_(local), out_(checks.size()) {
+        for (std::size_t i = 0; i < checks.size(); ++i) {
+            SurfaceComparison& c = out_[i];
+            c.check = checks[i];
+            c.options = options;
+            c.diagonal = mesh.diagonal();
+            c.largest_coordinate = mesh.largest_coordinate();
+            c.stride = stride_of(mesh);
+            Group& group = group_of(c.check, options);
+            c.overweight = group.overweight;
+            group.members.push_back(i);
+            (blurs(settings_of(c.check)) ? group.blurring : group.keeping) = true;
+        }
+    }
 
-    // An error where the evaluator gives one.
-    std::optional<core::Error> faces(const SurfaceProgress& progress) {
-        const auto cap = static_cast<int>(kMostSamples / mesh_.face_count());
-        const int count = std::min(out_.check.samples, std::max(kLeastSamples, cap));
-        out_.stride = stride();
-        for (Index f = 0; f < mesh_.face_count(); f += out_.stride) {
-            if (core::no_limit_surface(mesh_, truth_.boundary, f)) {
-                ++out_.without_surface;
+    std::vector<SurfaceComparison> compare(const SurfaceProgress& progress) && {
+        const Index stride = stride_of(mesh_);
+        for (Index f = 0; f < mesh_.face_count(); f += stride) {
+            if (const auto why = core::no_limit_surface(mesh_, truths_.front()->rules.boundary, f)) {
+                if (absent_.empty())
+                    for (SurfaceComparison& c : out_) c.reason = core::to_string(*why);
                 absent_.push_back({f, 1. / 4, 1. / 4});
                 continue;
             }
-            const FaceWalk walk(control_, truth_, mesh_.positions(), f);
-            const auto& classes = walk.classes();
-            SurfaceStats& stats = out_.classes[face_class(classes)];
-            ++stats.faces;
-            for (const CornerClass& c : classes)
-                if (const auto lambda = eigenvalue(c); lambda && c != CornerClass{})
-                    stats.lambda = std::max(stats.lambda.value_or(0), *lambda);
-            const bool sharp = std::any_of(classes.begin(), classes.end(), is_semi_sharp);
-            const auto samples =
-                samples_of(f, classes, count, sharp ? out_.check.sharp_level : out_.check.smooth_level);
-            waiting_.insert(waiting_.end(), samples.begin(), samples.end());
-            waiting_columns_ += samples.size() * static_cast<std::size_t>(width(f));
-            if (waiting_columns_ >= kAtOnce)
-                if (auto error = judge_waiting()) return error;
+            for (const auto& truth : truths_) truth->enter(mesh_, f);
+            for (Group& group : groups_) look_at(group, f);
+            if (waiting_columns_ >= kAtOnce) judge_waiting();
             if (progress) progress(f, mesh_.face_count());
         }
-        if (auto error = judge_waiting()) return error;
-        return judge_absent();
+        judge_waiting();
+        judge_absent();
+        for (SurfaceComparison& c : out_)
+            if (c.notes.empty()) give_verdict(c);
+        return std::move(out_);
     }
 
   private:
     static constexpr std::size_t kAtOnce = 500000;  // columns of rows, about 60 bytes each
 
-    // The edges around the corners of a face.
-    Index width(Index face) const {
-        const core::Topology& t = mesh_.topology();
-        Index out = 0;
-        for (const Index v : t.triangles[face]) out += static_cast<Index>(t.ring(v).size());
+    Group& group_of(const SurfaceCheck& check, const core::SchemeOptions& options) {
+        for (Group& group : groups_)
+            if (look_alike(check, out_[group.members.front()].check)) return group;
+        const auto [rules, overweight] = rules_as_done(mesh_, options, check.sharp_level);
+        Group& group = groups_.emplace_back();
+        group.overweight = overweight;
+        while (group.truth < truths_.size() && truths_[group.truth]->rules != rules) ++group.truth;
+        if (group.truth == truths_.size()) truths_.push_back(std::make_unique<Truth>(mesh_, rules));
+        return group;
+    }
+
+    // Counts the face and lets its samples wait.
+    void look_at(Group& group, Index face) {
+        Truth& truth = *truths_[group.truth];
+        const FaceAround& around = *truth.around;
+        for (const std::size_t i : group.members) {
+            SurfaceStats& stats = out_[i].classes[around.face_class()];
+            ++stats.faces;
+            for (const CornerClass& c : around.classes)
+                if (const auto lambda = eigenvalue(c); lambda && c != CornerClass{})
+                    stats.lambda = std::max(stats.lambda.value_or(0), *lambda);
+        }
+        const SurfaceCheck& check = out_[group.members.front()].check;
+        const int count = std::min(check.samples, std::max(kLeastSamples, kMostSamples / mesh_.face_count()));
+        const auto samples = samples_of(face, around.classes, count,
+                                        around.is_semi_sharp() ? check.sharp_level : check.smooth_level);
+        for (const Sample& sample : samples) group.truths.push_back(truth_at(group, sample));
+        group.waiting.insert(group.waiting.end(), samples.begin(), samples.end());
+        waiting_columns_ += samples.size() * static_cast<std::size_t>(width_of(mesh_.topology(), face));
+    }
+
+    SampleTruth truth_at(const Group& group, const Sample& sample) {
+        Truth& truth = *truths_[group.truth];
+        const auto& [face, u, v] = sample.location;
+        SampleTruth out{truth.around, {}, std::nullopt};
+        bool measured = false;
+        reference::SurfaceSettings settings = settings_of(out_[group.members.front()].check);
+        settings.method = reference::SurfaceMethod::PatchGregory;
+        const auto find = [&](reference::PatchSharpness sharpness) {
+            settings.sharpness = sharpness;
+            PatchAt& patch = out.patches[blurs(settings) ? 1 : 0];
+            patch = truth.walk->patch_at(u, v, settings);
+            measured = measured || is_measured(sample, patch);
+        };
+        if (group.keeping) find(reference::PatchSharpness::Exact);
+        if (group.blurring) find(reference::PatchSharpness::Default);
+        if (measured) out.surface = truth.surface.stencil(face, u, v).value();
         return out;
     }
 
-    // Evaluation of a face takes up to the cube of its width.
-    Index stride() const {
-        double work = 0;
-        for (Index f = 0; f < mesh_.face_count(); ++f) work += std::pow(width(f), 3);
-        return static_cast<Index>(work / kMostWork) / 2 * 2 + 1;
-    }
-
-    std::optional<core::Error> judge_waiting() {
-        if (waiting_.empty()) return std::nullopt;
-        std::vector<core::SurfaceLocation> locations;
-        for (const Sample& sample : waiting_) locations.push_back(sample.location);
-        const auto rows = evaluate_(mesh_, out_.options, settings_of(out_.check), locations);
-        if (!rows) return rows.error();
-        std::optional<FaceWalk> walk;
-        Index face = core::kNone;
-        for (std::size_t i = 0; i < waiting_.size(); ++i) {
-            if (waiting_[i].location.face != face) {
-                face = waiting_[i].location.face;
-                walk.emplace(control_, truth_, mesh_.positions(), face);
+    void judge_waiting() {
+        for (Group& group : groups_) {
+            std::vector<core::SurfaceLocation> locations;
+            for (const Sample& sample : group.waiting) locations.push_back(sample.location);
+            for (const std::size_t i : group.members) {
+                SurfaceComparison& c = out_[i];
+                const auto rows = ask(c, locations);
+                if (!rows) continue;
+                Judge judge(mesh_, c, local_);
+                for (std::size_t j = 0; j < locations.size(); ++j)
+                    judge.judge(group.waiting[j], group.truths[j], (*rows)[j]);
             }
-            judge_.judge(waiting_[i], *walk, (*rows)[i]);
+            group.waiting.clear();
+            group.truths.clear();
         }
-        waiting_.clear();
         waiting_columns_ = 0;
-        return std::nullopt;
     }
 
     // Where there is no surface there must be none.
-    std::optional<core::Error> judge_absent() {
-        if (absent_.empty()) return std::nullopt;
-        const auto rows = evaluate_(mesh_, out_.options, settings_of(out_.check), absent_);
-        if (!rows) return rows.error();
-        for (const auto& row : *rows)
-            if (row) ++out_.unwanted_surface;
+    void judge_absent() {
+        for (SurfaceComparison& c : out_) {
+            const auto rows = ask(c, absent_);
+            if (!rows) continue;
+            c.without_surface = absent_.size();
+            for (const auto& row : *rows)
+                if (row) ++c.unwanted_surface;
+        }
+    }
+
+    // Nothing where nothing is asked, or the evaluator has failed, now or before: then that is the verdict.
+    std::optional<std::vector<std::optional<core::SurfaceRows>>> ask(
+        SurfaceComparison& c, std::span<const core::SurfaceLocation> locations) {
+        if (locations.empty() || !c.notes.empty()) return std::nullopt;
+        auto rows = evaluate_(mesh_, c.options, settings_of(c.check), locations);
+        if (rows) return std::move(*rows);
+        const core::Error& error = rows.error();
+        c.verdict = error.code == core::ErrorCode::Unsupported ? Verdict::NotSupported : Verdict::Failed;
+        c.notes = {fmt::format("{}: {}", c.check.way.name, core::to_string(error))};
         return std::nullopt;
     }
 
     const core::TriangleMesh& mesh_;
-    core::SchemeOptions truth_;
-    core::SchemeLevel control_;
-    SurfaceComparison& out_;
     const SurfaceEvaluator& evaluate_;
-    Judge judge_;
-    std::vector<Sample> waiting_;
+    LocalErrors& local_;
+    std::vector<SurfaceComparison> out_;
+    std::vector<std::unique_ptr<Truth>> truths_;
+    std::vector<Group> groups_;
     std::size_t waiting_columns_ = 0;
     std::vector<core::SurfaceLocation> absent_;
 };
+
+std::vector<SurfaceComparison> too_much_work(double work, const core::SchemeOptions& options,
+                                             std::span<const SurfaceCheck> checks) {
+    std::vector<SurfaceComparison> out(checks.size());
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+        out[i].check = checks[i];
+        out[i].options = options;
+        out[i].verdict = Verdict::NotSupported;
+        out[i].notes = {
+            fmt::format("Too many edges at its irregular vertices: their numbers cubed add up to {:.3g}, and "
+                        "at most {:.3g} are looked at.",
+                        work, kMostStencilWork)};
+    }
+    return out;
+}
 
 }  // namespace
 
@@ -385,24 +510,20 @@ std::string to_string(FaceClass c) {
     return c.several ? "several" : to_string(c.corner);
 }
 
-SurfaceComparison compare_surface(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                                  const SurfaceCheck& check, const SurfaceEvaluator& evaluate,
-                                  LocalErrors& local, const SurfaceProgress& progress) {
-    SurfaceComparison out;
-    out.check = check;
-    out.options = options;
-    out.diagonal = mesh.diagonal();
-    out.largest_coordinate = mesh.largest_coordinate();
-    const auto [truth, overweight] = rules_as_done(mesh, options, check.sharp_level);
-    out.overweight = overweight;
-    if (const auto error = Run(mesh, truth, out, evaluate, local).faces(progress)) {
-        out.verdict = error->code == core::ErrorCode::Unsupported ? Verdict::NotSupported : Verdict::Failed;
-        out.classes.clear();
-        out.deviations = {};
-        out.notes = {fmt::format("{}: {}", check.way.name, core::to_string(*error))};
-        return out;
-    }
-    give_verdict(out);
+std::vector<SurfaceComparison> compare_surfaces(const core::TriangleMesh& mesh,
+                                                const core::SchemeOptions& options,
+                                                std::span<const SurfaceCheck> checks,
+                                                const SurfaceEvaluator& evaluate, LocalErrors& local,
+                                                const SurfaceProgress& progress) {
+    if (checks.empty()) return {};
+    if (const double work = stencil_work(mesh.topology()); work > kMostStencilWork)
+        return too_much_work(work, options, checks);
+    auto out = Run(mesh, options, checks, evaluate, local).compare(progress);
+    for (SurfaceComparison& c : out)
+        if (c.verdict == Verdict::NotSupported || c.verdict == Verdict::Failed) {
+            c.classes.clear();
+            c.deviations = {};
+        }
     return out;
 }
 

@@ -28,6 +28,10 @@ inline constexpr int kLeastSamples = 6;  ///< a face
 /// Most work on a mesh: the sum over its faces of the cubed number of edges around their corners.  Where it
 /// is more, only every so many-th face is looked at.
 inline constexpr double kMostWork = 2e8;
+/// Largest sum over the irregular vertices of a mesh of their cubed number of edges: what OpenSubdiv's
+/// stencils take.  At the limit, that is for one vertex of valence 736, all ways together take some 20
+/// seconds, and a refined face 4 MB; above it no way is compared.
+inline constexpr double kMostStencilWork = 4e8;
 
 /// What a face is counted under: its only irregular class, or several.
 struct FaceClass {
@@ -74,6 +78,7 @@ struct SurfaceComparison {
     std::array<DeviationCount, kSurfaceDeviations> deviations{};
     core::Index stride = 1;            ///< every so many-th face was looked at
     std::size_t without_surface = 0;   ///< faces that have none: holes, and boundaries under the option none
+    std::string reason;                ///< why the first of these has none
     std::size_t unwanted_surface = 0;  ///< faces that have one nevertheless
     bool overweight = false;           ///< chaikin-overweight changes the exact surface here
     double diagonal = 0, largest_coordinate = 0;
@@ -81,7 +86,12 @@ struct SurfaceComparison {
 
 using SurfaceProgress = std::function<void(std::size_t face, std::size_t of)>;
 
-/// Compares one way with the exact surface.  Never throws and never fails: what goes wrong is the verdict.
+/// Compares some ways, at some levels, with the exact surface; the outcomes in the order of the checks. Never
+/// throws and never fails: what goes wrong is the verdict.
+///
+/// Cost     the exact surface is computed once for all checks with the same levels and samples, and refined
+///          once for all.  Time is bounded by kMostSamples, kMostWork and kMostStencilWork.  Memory: the rows
+///          of some 500 000 columns at once, thrice, and what OpenSubdiv needs for the mesh.
 ///
 /// The prediction.  OpenSubdiv refines exactly down to the last level L and is exact on regular triangles; an
 /// irregular one gets an approximation there.  Both are linear in the points around it, so with the points
@@ -102,10 +112,13 @@ using SurfaceProgress = std::function<void(std::size_t face, std::size_t of)>;
 ///
 /// A second derivative in a turned regular triangle must be the exact one with the opposite sign.
 ///
-/// Range   1 <= smooth_level <= sharp_level <= reference::kOpensubdivMaxSurfaceLevel.
-SurfaceComparison compare_surface(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                                  const SurfaceCheck& check, const SurfaceEvaluator& evaluate,
-                                  LocalErrors& local, const SurfaceProgress& progress = {});
+/// Range    1 <= smooth_level <= sharp_level <= reference::kOpensubdivMaxSurfaceLevel.  NotSupported where no
+///          face has a surface, and above kMostStencilWork; the notes say why.
+std::vector<SurfaceComparison> compare_surfaces(const core::TriangleMesh& mesh,
+                                                const core::SchemeOptions& options,
+                                                std::span<const SurfaceCheck> checks,
+                                                const SurfaceEvaluator& evaluate, LocalErrors& local,
+                                                const SurfaceProgress& progress = {});
 inline constexpr double kPatchMagnitude = 2;
 
 /// Sets verdict and notes from what was counted: Differs where a sample is beyond its bound or a deviation
@@ -113,9 +126,9 @@ inline constexpr double kPatchMagnitude = 2;
 void give_verdict(SurfaceComparison& comparison, std::span<const KnownDeviation> list = known_deviations());
 
 /// The same with the rates: also two levels deeper, where there are such levels, and both must be right.
-SurfaceComparison compare_surface_with_rates(const core::TriangleMesh& mesh,
-                                             const core::SchemeOptions& options, const SurfaceCheck& check,
-                                             const SurfaceEvaluator& evaluate,
-                                             const SurfaceProgress& progress = {});
+/// `local` must know the ways of the checks.
+std::vector<SurfaceComparison> compare_surfaces_with_rates(
+    const core::TriangleMesh& mesh, const core::SchemeOptions& options, std::span<const SurfaceCheck> checks,
+    const SurfaceEvaluator& evaluate, LocalErrors& local, const SurfaceProgress& progress = {});
 
 }  // namespace loopcheck::compare

@@ -31,6 +31,23 @@ std::string beyond_in_words(const SurfaceComparison& c) {
     return out.empty() ? out : "Beyond what is predicted: " + out + ".";
 }
 
+// The rates, and what is wrong two levels deeper.
+void add_deeper(SurfaceComparison& out, const SurfaceComparison& deeper) {
+    if (out.classes.empty()) return;
+    const double rounding = 1000 * core::unit_roundoff(core::Precision::Double) * out.largest_coordinate;
+    for (auto& [face_class, stats] : out.classes) {
+        const auto found = deeper.classes.find(face_class);
+        if (found != deeper.classes.end() && stats.position > rounding && found->second.position > rounding)
+            stats.rate = std::sqrt(found->second.position / stats.position);
+    }
+    if (exit_code(deeper.verdict) == 0) return;
+    if (worse_exit_code(exit_code(out.verdict), exit_code(deeper.verdict)) == exit_code(deeper.verdict))
+        out.verdict = deeper.verdict;
+    for (const std::string& note : deeper.notes)
+        out.notes.push_back(fmt::format("At the levels {} and {}: {}", deeper.check.smooth_level,
+                                        deeper.check.sharp_level, note));
+}
+
 }  // namespace
 
 void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
@@ -38,7 +55,9 @@ void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
     for (const auto& [face_class, stats] : c.classes) samples += stats.samples;
     if (samples == 0) {
         c.verdict = Verdict::NotSupported;
-        c.notes = {"No face has a limit surface; nothing was compared."};
+        c.notes = {c.reason.empty()
+                       ? "The mesh has no face; nothing was compared."
+                       : fmt::format("No face has a limit surface; nothing was compared.  {}", c.reason)};
         return;
     }
     c.verdict = Verdict::WithinRounding;
@@ -81,32 +100,22 @@ void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
     if (c.verdict == Verdict::WithinRounding) c.notes.push_back("Rounding explains every difference.");
 }
 
-SurfaceComparison compare_surface_with_rates(const core::TriangleMesh& mesh,
-                                             const core::SchemeOptions& options, const SurfaceCheck& check,
-                                             const SurfaceEvaluator& evaluate,
-                                             const SurfaceProgress& progress) {
-    LocalErrors local(check.way, evaluate);
-    SurfaceComparison out = compare_surface(mesh, options, check, evaluate, local, progress);
-    if (out.classes.empty() || check.sharp_level + 2 > reference::kOpensubdivMaxSurfaceLevel) return out;
-    SurfaceCheck deeper_check = check;
-    deeper_check.smooth_level += 2;
-    deeper_check.sharp_level += 2;
-    const SurfaceComparison deeper = compare_surface(mesh, options, deeper_check, evaluate, local, progress);
-    const double rounding = 1000 * core::unit_roundoff(core::Precision::Double) * out.largest_coordinate;
-    for (auto& [face_class, stats] : out.classes) {
-        const auto found = deeper.classes.find(face_class);
-        if (found != deeper.classes.end() && stats.position > rounding && found->second.position > rounding)
-            stats.rate = std::sqrt(found->second.position / stats.position);
+std::vector<SurfaceComparison> compare_surfaces_with_rates(
+    const core::TriangleMesh& mesh, const core::SchemeOptions& options, std::span<const SurfaceCheck> checks,
+    const SurfaceEvaluator& evaluate, LocalErrors& local, const SurfaceProgress& progress) {
+    // First those asked for, then the deeper ones, with what they belong to.
+    std::vector<SurfaceCheck> all(checks.begin(), checks.end());
+    std::vector<std::size_t> shallower;
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+        if (checks[i].sharp_level + 2 > reference::kOpensubdivMaxSurfaceLevel) continue;
+        SurfaceCheck& deeper = all.emplace_back(checks[i]);
+        deeper.smooth_level += 2;
+        deeper.sharp_level += 2;
+        shallower.push_back(i);
     }
-    if (exit_code(deeper.verdict) > 0) {
-        out.verdict =
-            worse_exit_code(exit_code(out.verdict), exit_code(deeper.verdict)) == exit_code(deeper.verdict)
-                ? deeper.verdict
-                : out.verdict;
-        for (const std::string& note : deeper.notes)
-            out.notes.push_back(fmt::format("At the levels {} and {}: {}", deeper_check.smooth_level,
-                                            deeper_check.sharp_level, note));
-    }
+    auto out = compare_surfaces(mesh, options, all, evaluate, local, progress);
+    for (std::size_t i = 0; i < shallower.size(); ++i) add_deeper(out[shallower[i]], out[checks.size() + i]);
+    out.resize(checks.size());
     return out;
 }
 

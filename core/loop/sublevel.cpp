@@ -63,7 +63,9 @@ SubLevel sublevel_around(const Topology& topology, const Sharpness& sharpness, s
         const auto [f, g] = topology.edge_faces[e];
         const Index first = faces(f), second = g == kNone ? kNone : faces(g);
         t.edge_faces.push_back(first == kNone ? std::array{second, kNone} : std::array{first, second});
-        s.edge.push_back(sharpness.edge[e]);
+        // A boundary of the part only: smooth, it would ask for the face that is missing.
+        const bool is_cut = g != kNone && (first == kNone || second == kNone);
+        s.edge.push_back(is_cut ? kInfiniteSharpness : sharpness.edge[e]);
     }
     s.vertex.assign(out.vertices.size(), kInfiniteSharpness);
     std::vector<std::uint8_t> is_kept(out.vertices.size(), 0);

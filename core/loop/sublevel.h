@@ -12,7 +12,8 @@ namespace loopcheck::core {
 ///
 /// The kept vertices have all their faces here, and so their whole rings in the same order: their own rows,
 /// those of the edges at them and the sharpness of both are those of the whole level.  All other vertices
-/// have an empty ring and are pinned: what is computed for them, or for edges between them, is meaningless.
+/// have an empty ring and are pinned, and edges with only one of their two faces here are infinitely sharp:
+/// what is computed for them, or for edges between such vertices, is meaningless.
 struct SubLevel {
     SchemeLevel level;
     std::vector<Index> vertices;  ///< per vertex of `level`, its number in the whole; ascending

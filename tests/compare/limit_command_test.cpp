@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include "compare/cli/cli.h"
 #include "compare/report/surface.h"
 #include "tests/compare/support.h"
+#include "tests/support/meshes.h"
 #include "tests/support/models.h"
 #include "tests/support/observed.h"
 
@@ -23,7 +25,8 @@ SurfaceReport report_of(const core::TriangleMesh& mesh, const core::SchemeOption
     SurfaceReport out{"model", 0, 0, {}};
     SurfaceCheck check{*find_way(way)};
     check.samples = samples;
-    out.comparisons.push_back(compare_surface_with_rates(mesh, options, check, evaluate));
+    LocalErrors local(std::array{check.way}, evaluate);
+    out.comparisons = compare_surfaces_with_rates(mesh, options, std::array{check}, evaluate, local);
     return out;
 }
 
@@ -111,29 +114,40 @@ TEST(SurfaceComparison, FindsTheSignWhereItIsPredictedAndNowhereElse) {
     EXPECT_EQ(report.exit_code(), 0);
 }
 
-// Samples a face: few, and fewer under sanitizers.
-int samples() {
-    return std::getenv("LOOPCHECK_TEST_LEVELS") == nullptr ? 8 : kLeastSamples;
+TEST(SurfaceComparison, RefusesAValenceThatTakesTooLong) {
+    const auto report =
+        report_of(tests::mesh_of(tests::bipyramid(800)), {}, "bfr", reference::opensubdiv_surface);
+    EXPECT_EQ(report.comparisons[0].verdict, Verdict::NotSupported);
+    EXPECT_NE(report.comparisons[0].notes.at(0).find("Too many edges"), std::string::npos);
+    EXPECT_EQ(report.exit_code(), 3);
+}
+
+// Every way with few samples a face; two ways, and fewer samples, under sanitizers.
+std::vector<SurfaceCheck> checks_of_every_way() {
+    const bool sanitized = std::getenv("LOOPCHECK_TEST_LEVELS") != nullptr;
+    std::vector<SurfaceCheck> out;
+    for (const SurfaceWay& way : surface_ways()) {
+        if (sanitized && way.name != "bfr" && way.name != "patch-default") continue;
+        out.push_back({way});
+        out.back().samples = sanitized ? kLeastSamples : 8;
+    }
+    return out;
 }
 
 class LimitEveryModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(LimitEveryModel, IsAsPredictedByEveryWay) {
+    static LocalErrors local(surface_ways(), reference::opensubdiv_surface);  // those of all models
     const auto model = tests::load_model(GetParam());
-    const bool sanitized = std::getenv("LOOPCHECK_TEST_LEVELS") != nullptr;
-    if (sanitized && model.mesh.vertex_count() > 300) return;
-    if (model.mesh.vertex_count() == 362) return;  // valence 360: minutes in PatchTable
-    for (const SurfaceWay& way : surface_ways()) {
-        if (sanitized && way.name != "bfr" && way.name != "patch-default") continue;
-        const auto report =
-            report_of(model.mesh, model.options, way.name, reference::opensubdiv_surface, samples());
-        const SurfaceComparison& c = report.comparisons[0];
-        if (c.verdict == Verdict::NotSupported) {
-            EXPECT_FALSE(c.notes.empty());
-            continue;
-        }
-        EXPECT_EQ(report.exit_code(), 0) << surface_as_text(report, "");
-        tests::Observed use(model.name + " " + std::string(way.name) + ": error over bound", "class", 1);
+    SurfaceReport report{model.name, 0, 0, {}};
+    report.comparisons = compare_surfaces_with_rates(model.mesh, model.options, checks_of_every_way(),
+                                                     reference::opensubdiv_surface, local);
+    for (const SurfaceComparison& c : report.comparisons) {
+        EXPECT_FALSE(c.notes.empty());
+        if (c.verdict == Verdict::NotSupported) continue;
+        EXPECT_EQ(exit_code(c.verdict), 0) << surface_as_text(report, "");
+        tests::Observed use(model.name + " " + std::string(c.check.way.name) + ": error over bound", "class",
+                            1);
         for (const auto& [face_class, stats] : c.classes) use.add(stats.bound_use, face_class.corner.faces);
         use.check();
     }
@@ -192,7 +206,10 @@ TEST(LimitCommand, ExitsWithTwoOnBadUsage) {
 }
 
 TEST(LimitCommand, ExitsWithThreeWhereNothingCanBeCompared) {
-    EXPECT_EQ(loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"}).code, 3);
+    const auto r = loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"});
+    EXPECT_EQ(r.code, 3);
+    EXPECT_NE(r.out.find("with the boundary option none there is no surface there"), std::string::npos)
+        << r.out;
     EXPECT_EQ(loopcheck({"limit", test::model_path("icosahedron"), "--weights", "warren"}).code, 3);
 }
 
