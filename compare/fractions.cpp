@@ -21,6 +21,7 @@ std::optional<std::string> as_fraction(const core::HighPrecision& value, const F
         if (rest < High("1e-20")) return std::nullopt;  // the next denominator would be far too large
         rest = 1 / rest;
     }
+    if (p == 0 && value != 0) return std::nullopt;
     const std::string sign = value < 0 && p != 0 ? "-" : "";
     const auto number = [](const High& x) { return fmt::format("{}", static_cast<std::int64_t>(x)); };
     return q == 1 ? sign + number(p) : fmt::format("{}{}/{}", sign, number(p), number(q));

@@ -42,7 +42,11 @@ int explain_deviation(const Context& context, std::string_view name) {
 }
 
 int run_explain(const Context& context, const Flags& flags) {
-    if (!flags.deviation.empty()) return explain_deviation(context, flags.deviation);
+    if (!flags.deviation.empty()) {
+        if (flags.model.empty() && !flags.vertex) return explain_deviation(context, flags.deviation);
+        context.err << "--deviation brings its own mesh: no model or --vertex goes with it.\n";
+        return kExitUsage;
+    }
     if (flags.model.empty() || !flags.vertex) {
         context.err << "explain takes a model and --vertex, or --deviation.\n";
         return kExitUsage;

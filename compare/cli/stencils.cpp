@@ -14,10 +14,11 @@ namespace loopcheck::compare {
 namespace {
 
 struct Flags {
-    std::string model, output, at;
+    std::string model, output;
+    std::optional<std::string> at;
     RuleFlags rules;
     WorkFlags work;
-    int level = 0;
+    std::optional<int> level;
     bool limit = false;
 };
 
@@ -73,22 +74,27 @@ core::Result<Stencils> at_location(const core::TriangleMesh& mesh, const core::S
 core::Result<Stencils> of_level(const Flags& flags, const core::TriangleMesh& mesh,
                                 const core::SchemeOptions& options) {
     const auto of = flags.limit ? core::StencilOf::VertexLimit : core::StencilOf::Vertex;
-    auto matrix = core::stencils(mesh, options, flags.level, of,
+    auto matrix = core::stencils(mesh, options, flags.level.value_or(0), of,
                                  flags.work.memory_limit() / core::kStencilBytesPerWeight);
     if (!matrix) return tl::unexpected(matrix.error());
     const core::Index count = matrix->row_count();
-    return Stencils{
-        std::move(*matrix),
-        fmt::format("{} vertex of level {}", flags.limit ? "the limit of each" : "each", flags.level), count};
+    return Stencils{std::move(*matrix),
+                    fmt::format("{} vertex of level {}", flags.limit ? "the limit of each" : "each",
+                                flags.level.value_or(0)),
+                    count};
 }
 
 int run_stencils(const Context& context, const Flags& flags) {
     std::optional<core::SurfaceLocation> location;
-    if (!flags.at.empty()) {
-        location = parse_location(flags.at);
+    if (!flags.at && !flags.level && !flags.limit) {
+        context.err << "stencils takes --level, --limit or --at.\n";
+        return kExitUsage;
+    }
+    if (flags.at) {
+        location = parse_location(*flags.at);
         if (!location) {
             context.err << fmt::format("--at takes face,u,v, for instance 0,0.25,0.5; not {}.\n",
-                                       printable(flags.at));
+                                       printable(*flags.at));
             return kExitUsage;
         }
     }
@@ -130,9 +136,10 @@ Command add_stencils(CLI::App& program) {
         "Write refined vertices, limits or a point of the surface as rows over the control vertices");
     command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();
     command->add_option("-o,--output", flags->output, "the Matrix Market file to write; else it is printed");
-    CLI::Option* level = command->add_option("--level", flags->level, "the vertices of this level")
-                             ->capture_default_str()
-                             ->check(CLI::Range(0, 30));
+    CLI::Option* level =
+        command
+            ->add_option("--level", flags->level, "the vertices of this level; with --limit, 0 if not given")
+            ->check(CLI::Range(0, 30));
     CLI::Option* limit = command->add_flag("--limit", flags->limit, "their limits instead of themselves");
     command
         ->add_option(

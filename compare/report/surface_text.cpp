@@ -64,7 +64,7 @@ std::string comparison_as_text(const SurfaceComparison& c) {
         out += table(rows);
     }
     if (c.stride > 1) out += fmt::format("  one face in {} was looked at\n", c.stride);
-    if (c.without_surface > 0) out += fmt::format("  {} faces have no surface\n", c.without_surface);
+    if (c.without_surface > 0) out += fmt::format("  faces without a surface: {}\n", c.without_surface);
     out += fmt::format("verdict: {}\n", name(c.verdict));
     for (const std::string& note : c.notes) out += fmt::format("  {}\n", note);
     return out;

@@ -45,12 +45,13 @@ double largest_of(const Values& values, int first, int last) {
 
 // Between two planes, in degrees; 0 where tangents do not span one.
 double angle(const Values& a, const Values& exact) {
-    const auto normal = [](const Values& x) { return glm::cross(x[1], x[2]); };
-    const glm::dvec3 n = normal(a), m = normal(exact);
-    const auto is_degenerate = [](const glm::dvec3& across, const Values& x) {
-        return glm::length(across) <= 1e-9 * glm::length(x[1]) * glm::length(x[2]);
+    // Of tangents of about unit length, so that no product overflows.
+    const auto normal = [](const Values& x) {
+        const double u = largest_coordinate(x[1]), v = largest_coordinate(x[2]);
+        return u > 0 && v > 0 ? glm::cross(x[1] / u, x[2] / v) : glm::dvec3(0);
     };
-    if (is_degenerate(m, exact) || is_degenerate(n, a)) return 0;
+    const glm::dvec3 n = normal(a), m = normal(exact);
+    if (glm::length(m) <= 1e-9 || glm::length(n) <= 1e-9) return 0;
     return std::atan2(glm::length(glm::cross(n, m)), std::abs(glm::dot(n, m))) * 180 / std::numbers::pi;
 }
 
@@ -131,6 +132,13 @@ struct SampleTruth {
     std::optional<Stencil> surface;  // where a patch `is_measured`
 };
 
+// Where sharpness is finite the share of a rule is a mean in float, in whatever ring order one sums: the
+// weights are as right as if all were done in float, 2^29 times the roundoff of double.
+constexpr double kFloatShares = 0x1p29;
+
+// The weights of the box-spline end cap are 12 constants of six digits: their sum is off by at most so much.
+constexpr double kSixDigits = 12 * 0.5e-6;
+
 // What is known of one mesh under one way while its samples are judged.
 class Judge {
   public:
@@ -151,7 +159,7 @@ class Judge {
         report(stats, *rows, exact, patch);
         const double use = patch.kind == PatchAt::Kind::Regular
                                ? regular_use(off, *rows, exact, patch, *truth.face)
-                               : approximate_use(stats, off, exact, patch);
+                               : approximate_use(stats, off, exact, patch, *truth.face);
         stats.bound_use = larger(stats.bound_use, use);
         if (!(use <= 1)) ++stats.beyond;
     }
@@ -175,19 +183,18 @@ class Judge {
     // On a regular triangle: the largest error over its bound, in weights.
     double regular_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
                        const PatchAt& patch, const FaceAround& face) {
-        double use = use_of(off, exact, patch.depth, 0, 0);
-        if (misses_chaikin(face) && !(use <= 1)) {
-            DeviationCount& seen = count(Id::BfrChaikin);
-            ++seen.shown;
-            seen.largest = larger(seen.largest, size_of(off.weights[0]));
-            return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * face.spread.half);
+        const double rounding = face.is_semi_sharp() ? kFloatShares : 1;
+        double use = use_of(off, exact, patch.depth, 0, 0) / rounding;
+        if (exact.smoothness == core::Smoothness::Regular) {
+            use = larger(use, use_of(off, exact, patch.depth, 1, 2) / rounding);
+            use = larger(use, patch.turn > 0 && !face.is_semi_sharp()
+                                  ? use_of(off, exact, patch.depth, 3, 5)
+                                  : turned_use(off, rows, exact, patch.depth, face));
         }
-        if (exact.smoothness != core::Smoothness::Regular) return use;
-        use = larger(use, use_of(off, exact, patch.depth, 1, 2));
-        return larger(use, patch.turn > 0 ? use_of(off, exact, patch.depth, 3, 5)
-                                          : turned_use(off, rows, exact, patch.depth));
+        return misses_chaikin(face) && !(use <= 1) ? chaikin_use(off, face) : use;
     }
 
+    // Where Bfr cannot know all of Chaikin's neighbours.
     bool misses_chaikin(const FaceAround& face) {
         const bool out = out_.check.way.method == reference::SurfaceMethod::Bfr &&
                          out_.options.creasing == core::Creasing::Chaikin && face.is_semi_sharp();
@@ -195,34 +202,45 @@ class Judge {
         return out;
     }
 
-    // Second derivatives of a turned triangle must be those of the opposite sign.
+    // The edge point that Bfr has wrong is one of level 1, so the points of the whole face bound the error.
+    double chaikin_use(const core::SurfaceRows& off, const FaceAround& face) {
+        DeviationCount& seen = count(Id::BfrChaikin);
+        ++seen.shown;
+        seen.largest = larger(seen.largest, size_of(off.weights[0]));
+        return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * face.spread.half);
+    }
+
+    // Second derivatives of a turned triangle must be those of the opposite sign.  Where sharpness is finite,
+    // OpenSubdiv refines by rules of its own choice how far, and either sign may be there.
     double turned_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
-                      int depth) {
+                      int depth, const FaceAround& face) {
+        const double rounding = face.is_semi_sharp() ? kFloatShares : 1;
         Stencil opposite = exact;
         double size = 0;
         for (int d = 3; d <= 5; ++d) {
             size = std::max(size, size_of(exact.weights[d]) / allowed(exact, d, depth));
             for (double& w : opposite.weights[d]) w = -w;
         }
-        const double use = use_of(difference(rows, opposite), exact, depth, 3, 5),
-                     plain = use_of(off, exact, depth, 3, 5);
+        const double use = use_of(difference(rows, opposite), exact, depth, 3, 5) / rounding,
+                     plain = use_of(off, exact, depth, 3, 5) / rounding;
         if (!(size > 2)) return std::min(use, plain);  // too small to have a sign
         DeviationCount& seen = count(Id::SecondDerivativeSign);
-        ++seen.expected;
+        ++(face.is_semi_sharp() ? seen.possible : seen.expected);
         if (use <= 1) {
             ++seen.shown;
             for (int d = 3; d <= 5; ++d) seen.largest = larger(seen.largest, size_of(off.weights[d]));
             return use;
         }
         if (!(plain <= 1)) return use;
-        ++seen.missing;
+        if (!face.is_semi_sharp()) ++seen.missing;
         return plain;
     }
 
     // On an approximated triangle: the largest error over its bound, in coordinates.
     double approximate_use(SurfaceStats& stats, const core::SurfaceRows& off, const Stencil& exact,
-                           const PatchAt& patch) {
-        const AtlasError* known = patch.kind == PatchAt::Kind::Approximate
+                           const PatchAt& patch, const FaceAround& face) {
+        // The atlas knows patches with one irregular corner and nothing semi-sharp before.
+        const AtlasError* known = patch.kind == PatchAt::Kind::Approximate && !face.is_semi_sharp()
                                       ? local_.of(out_.check.way, patch.corner_class)
                                       : nullptr;
         tally(off, exact, patch, known);
@@ -234,12 +252,17 @@ class Judge {
             use = larger(use, share_of(error[d], bound));
             if (d == 0) stats.predicted = std::max(stats.predicted, largest_coordinate(bound));
         }
+        if (!(use <= 1) && misses_chaikin(face)) return chaikin_use(off, face);
         return use;
     }
 
     glm::dvec3 bound_of(const Stencil& exact, const PatchAt& patch, const AtlasError* known, int d) const {
         const glm::dvec3 rounding(2 * allowed(exact, d, patch.depth) * out_.largest_coordinate);
-        if (known == nullptr) return (1 + kPatchMagnitude) * patch.spread.half + rounding;
+        if (known == nullptr) {
+            const bool six_digits = out_.check.way.method == reference::SurfaceMethod::PatchBox;
+            return (1 + kPatchMagnitude) * patch.spread.half +
+                   (six_digits ? kSixDigits : 0) * patch.spread.middle + rounding;
+        }
         const double scale = std::ldexp(1., order(d) * (patch.depth - 1));
         return scale * (known->largest[order(d)] * patch.spread.half +
                         known->unbalance[order(d)] * patch.spread.middle) +

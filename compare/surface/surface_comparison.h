@@ -112,6 +112,11 @@ using SurfaceProgress = std::function<void(std::size_t face, std::size_t of)>;
 ///
 /// A second derivative in a turned regular triangle must be the exact one with the opposite sign.
 ///
+/// Where sharpness at the corners of a face is finite, less is known of how far OpenSubdiv refines, and its
+/// shares are means in float: weights may be off as if they were computed in float, approximated patches are
+/// held by the spread, and second derivatives may have either sign; under Chaikin's rule Bfr is held by the
+/// spread of the points of the whole face.
+///
 /// Range    1 <= smooth_level <= sharp_level <= reference::kOpensubdivMaxSurfaceLevel.  NotSupported where no
 ///          face has a surface, and above kMostStencilWork; the notes say why.
 std::vector<SurfaceComparison> compare_surfaces(const core::TriangleMesh& mesh,

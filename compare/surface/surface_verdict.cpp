@@ -10,16 +10,16 @@ namespace {
 
 std::string missing_in_words(const KnownDeviation& deviation, const DeviationCount& seen) {
     return fmt::format(
-        "The known deviation {} must show at {} places and does not at {}: is it mended? Then it must leave "
-        "the "
-        "list.",
+        "The known deviation {} must show at {} places and does not at {}: is it mended? Then it must "
+        "leave the list.",
         deviation.name, seen.expected, seen.missing > 0 ? seen.missing : seen.expected);
 }
 
-std::string shown_in_words(const KnownDeviation& deviation, const DeviationCount& seen) {
-    return fmt::format(
-        "{}: {} Shows at {} of {} places where it may, and nowhere else; up to {:.3g} in weights.",
-        deviation.name, deviation.what, seen.shown, std::max(seen.expected, seen.possible), seen.largest);
+std::string shown_in_words(const KnownDeviation& deviation, const DeviationCount& seen,
+                           std::string_view where) {
+    return fmt::format("{}: {} Shows at {} of {} places where it may{}; up to {:.3g} in weights.",
+                       deviation.name, deviation.what, seen.shown, std::max(seen.expected, seen.possible),
+                       where, seen.largest);
 }
 
 std::string beyond_in_words(const SurfaceComparison& c) {
@@ -43,9 +43,11 @@ void add_deeper(SurfaceComparison& out, const SurfaceComparison& deeper) {
     if (exit_code(deeper.verdict) == 0) return;
     if (worse_exit_code(exit_code(out.verdict), exit_code(deeper.verdict)) == exit_code(deeper.verdict))
         out.verdict = deeper.verdict;
+    std::vector<std::string> notes;  // what failed comes first
     for (const std::string& note : deeper.notes)
-        out.notes.push_back(fmt::format("At the levels {} and {}: {}", deeper.check.smooth_level,
-                                        deeper.check.sharp_level, note));
+        notes.push_back(fmt::format("At the levels {} and {}: {}", deeper.check.smooth_level,
+                                    deeper.check.sharp_level, note));
+    out.notes.insert(out.notes.begin(), notes.begin(), notes.end());
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
         c.verdict = Verdict::NotSupported;
         c.notes = {c.reason.empty()
                        ? "The mesh has no face; nothing was compared."
-                       : fmt::format("No face has a limit surface; nothing was compared.  {}", c.reason)};
+                       : fmt::format("No face that was looked at has a limit surface.  {}", c.reason)};
         return;
     }
     c.verdict = Verdict::WithinRounding;
@@ -68,7 +70,8 @@ void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
     }
     if (c.unwanted_surface > 0) {
         wrong = true;
-        c.notes.push_back(fmt::format("{} faces have a surface and should have none.", c.unwanted_surface));
+        c.notes.push_back(
+            fmt::format("Faces that have a surface and should have none: {}.", c.unwanted_surface));
     }
     for (int i = 0; i < kSurfaceDeviations; ++i) {
         const DeviationCount& seen = c.deviations[i];
@@ -88,7 +91,7 @@ void give_verdict(SurfaceComparison& c, std::span<const KnownDeviation> list) {
         }
         if (seen.shown == 0) continue;
         c.verdict = Verdict::KnownDeviation;
-        c.notes.push_back(shown_in_words(*deviation, seen));
+        c.notes.push_back(shown_in_words(*deviation, seen, wrong ? "" : ", and nowhere else"));
     }
     if (c.overweight) {
         c.verdict = Verdict::KnownDeviation;

@@ -32,19 +32,24 @@ struct LimitMasks {
 /// ring.  n edges or k faces; b is the neighbours' weight in refinement; c = cos(2 pi/n), theta = pi/k.
 ///
 ///     smooth   position  ring w = 1/(n + 3/(8b)), vertex 1 - n w
-///              tangents  sum_i cos(2 pi i/n) e_i,  sum_i sin(2 pi i/n) e_i               eigenvalue 3/8 +
-///              c/4
+///              tangents  sum_i cos(2 pi i/n) e_i,  sum_i sin(2 pi i/n) e_i        (3/8 + c/4)
+///
 ///     crease   position  1/6, 2/3, 1/6 along it, for every k
-///              tangents  e_0 - e_k                                                       eigenvalue 1/2
+///              tangents  e_0 - e_k                                                (1/2)
 ///                        -v - cos(theta) (e_0 + e_k)
-///                          + (1 + 2 cos(theta)) tan(theta/2) sum_i sin(i theta) e_i       3/8 + cos(theta)/4
-///                        k = 1: e_0 + e_1 - 2 v                                          eigenvalue 1/4
+///                          + (1 + 2 cos(theta)) tan(theta/2) sum_i sin(i theta) e_i
+///                                                                                 (3/8 + cos(theta)/4)
+///                        k = 1: e_0 + e_1 - 2 v                                   (1/4)
+///
 ///     corner   position  v
-///              tangents  e_0 - v,  e_k - v                                               eigenvalue 1/2
+///              tangents  e_0 - v,  e_k - v                                        (1/2)
+///
 ///     dart     ring counted from the sharp edge e_0;  q = (5 - sqrt 21)/2, that is q + 1/q = 5
 ///              position  v: 1,  e_i: (8b/3) (1 - (q^i + q^(n-i))/(1 + q^n)),
 ///                        e_0: 2b + (l_1 + l_(n-1))/4;  all over their sum
 ///              tangents  `dart_tangent`;  sum_i sin(2 pi i/n) e_i
+///
+/// with the eigenvalues of the tangents in brackets.
 ///
 /// Source  [Loop87] and [Hoppe94] for smooth vertices; the others are derived in docs/limits.md.
 ///

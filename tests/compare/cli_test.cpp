@@ -322,6 +322,7 @@ TEST(DeviationsCommand, ListsEveryOneAndExplainsEach) {
     const auto none = loopcheck({"explain", "--deviation", "gravity"});
     EXPECT_EQ(none.code, 2);
     EXPECT_SAYS(none.err, "There is no known deviation gravity");
+    EXPECT_EQ(loopcheck({"explain", model_path("cow"), "--deviation", "limit-dart"}).code, 2);
 }
 
 TEST(StencilsCommand, WritesTheRowsOfALevelOfTheLimitAndOfAPoint) {
@@ -352,6 +353,8 @@ TEST(StencilsCommand, WritesTheRowsOfALevelOfTheLimitAndOfAPoint) {
 TEST(StencilsCommand, ExitsWithTwoOnWhatItCannotDo) {
     const std::string model = model_path("hole-closed");
     const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
+        {{}, "--level, --limit or --at"},
+        {{"--at", ""}, "--at takes face,u,v"},
         {{"--at", "0,0.5"}, "--at takes face,u,v"},
         {{"--at", "0,0.5,0.5,0"}, "--at takes face,u,v"},
         {{"--at", "-1,0,0"}, "--at takes face,u,v"},
@@ -362,8 +365,8 @@ TEST(StencilsCommand, ExitsWithTwoOnWhatItCannotDo) {
         {{"--at", "4711,0,0"}, "[index-out-of-range]"},
         {{"--level", "1", "--memory", "1e-6"}, "[out-of-memory]"},
         {{"--level", "1", "--at", "0,0,0"}, "excludes"},
-        {{"-o", model}, "is read or written already"},
-        {{"-o", "/no/such/folder/rows.mtx"}, "[cannot-write]"}};
+        {{"--limit", "-o", model}, "is read or written already"},
+        {{"--limit", "-o", "/no/such/folder/rows.mtx"}, "[cannot-write]"}};
     for (const auto& [arguments, message] : bad) {
         std::vector<std::string> all{"stencils", model};
         all.insert(all.end(), arguments.begin(), arguments.end());

@@ -30,6 +30,7 @@ TEST(Fraction, IsNotSeenInWhatIsNone) {
     EXPECT_EQ(text(boost::math::constants::pi<High>()), "none");
     EXPECT_EQ(text(High(1) / 1000003), "none");
     EXPECT_EQ(text(High(1) / 3 + High("1e-25")), "none");
+    EXPECT_EQ(text(High("1e-35")), "none");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <random>
 #include <sstream>
 
 #include "compare/cli/cli.h"
@@ -183,6 +184,55 @@ TEST(SurfaceComparison, FailsWhereWhatShowsIsNotOnTheList) {
             return note.find("not on the list") != std::string::npos;
         });
         EXPECT_TRUE(said) << c.notes[0];
+    }
+}
+
+// A double cone or a fan with random sharpness on its edges and, at times, a vertex.
+core::MeshData random_sharp_mesh(std::minstd_rand& random) {
+    const auto pick = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+    const auto sharpness = [&] {
+        constexpr std::array kSpecial{10.F, 1.F, 2.F, 0.5F, 1.2F, 0.001F, 9.999F};
+        return pick(2) == 0 ? kSpecial[static_cast<std::size_t>(pick(kSpecial.size()))]
+                            : static_cast<float>(pick(4000)) / 1000;
+    };
+    const int n = 3 + pick(6);
+    core::MeshData data = pick(2) == 0 ? tests::bipyramid(n) : tests::open_fan(n);
+    const core::TriangleMesh mesh = tests::mesh_of(data);
+    const int share = 1 + pick(4);  // of 4
+    for (const auto& [a, b] : mesh.topology().edge_ends)
+        if (pick(4) < share) data.creases.push_back({a, b, sharpness()});
+    if (pick(3) == 0) data.corners.push_back({static_cast<core::Index>(pick(n)), sharpness()});
+    return data;
+}
+
+class LimitOfRandomSharpness : public testing::TestWithParam<int> {};
+
+TEST_P(LimitOfRandomSharpness, IsAsPredictedByEveryWay) {
+    std::minstd_rand random(static_cast<unsigned>(GetParam()));
+    for (int i = 0; i < 12; ++i) {
+        const core::TriangleMesh mesh = tests::mesh_of(random_sharp_mesh(random));
+        core::SchemeOptions options;
+        options.creasing = i % 2 == 0 ? core::Creasing::Uniform : core::Creasing::Chaikin;
+        for (const SurfaceWay& way : surface_ways()) {
+            const SurfaceReport report =
+                report_of(mesh, options, way.name, reference::opensubdiv_surface, 16);
+            const SurfaceComparison& c = report.comparisons[0];
+            EXPECT_LE(exit_code(c.verdict), 0) << way.name << ", mesh " << i << ": " << c.notes[0];
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, LimitOfRandomSharpness, testing::Range(1, 5));
+
+// The box-spline end cap is not translation invariant, and no verdict may depend on that.
+TEST(SurfaceComparison, GivesTheSameVerdictFarFromTheOrigin) {
+    for (const std::string model : {"semi-sharp-edge-2.5", "icosahedron", "cow-creased"}) {
+        auto read = core::read_model(test::model_path(model));
+        for (auto& p : read->data.positions) p += glm::dvec3(1000, -500, 250);
+        const core::TriangleMesh moved = tests::mesh_of(std::move(read->data));
+        for (const SurfaceWay& way : surface_ways())
+            EXPECT_EQ(report_of(moved, {}, way.name, reference::opensubdiv_surface, 8).exit_code(), 0)
+                << model << " " << way.name;
     }
 }
 
