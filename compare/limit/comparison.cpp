@@ -62,7 +62,8 @@ class SideLevel {
         : side_(side),
           limits_(side.limits->levels[level]),
           vertex_of_(side.match->vertex_of[level]),
-          scheme_(side.witness->levels[level].scheme),
+          level_(side.witness->levels[level]),
+          scheme_(level_.scheme),
           truth_(side.witness->levels[level], side.witness->options),
           done_(side.done->levels[level], side.done->options),
           masks_(deviations, side.subject->family) {}
@@ -112,19 +113,29 @@ class SideLevel {
 
     // At valence 2 the ring has no second tangent: one that is not 0 but no larger than the rounding errors
     // of the sum is noise, and expected where limit-valence-2 says so.  A larger one is from elsewhere and
-    // cannot be judged.  No noise proves nothing: it may be the rounding of 0; `deviations` sees it mended.
+    // cannot be judged.  None at all shows that it is mended where the noise, sin(pi) times the second
+    // neighbour, would be there.
     Standing noise_standing(Index v, const dvec3& tangent, const KnownDeviation* deviation) {
         if (deviation != nullptr && deviation->name != "limit-valence-2") return Standing::Right;
-        const dvec3 bound = truth_.limit(v, valence_two_masks(), side_.subject->precision).tangent2_bound;
+        const core::Precision precision = side_.subject->precision;
+        const dvec3 bound = truth_.limit(v, valence_two_masks(), precision).tangent2_bound;
         const bool listed = deviation != nullptr;
         if (!is_within(glm::abs(tangent), bound)) return listed ? Standing::Wrong : Standing::Right;
-        if (tangent == dvec3(0)) return Standing::Right;
-        return listed ? Standing::AsDeviation : Standing::Wrong;
+        if (tangent != dvec3(0)) return listed ? Standing::AsDeviation : Standing::Wrong;
+        return listed && has_noise(v, precision) ? Standing::Vanished : Standing::Right;
+    }
+
+    bool has_noise(Index v, core::Precision precision) const {
+        const core::Topology& t = level_.scheme.topology;
+        const Index second = t.other_end(t.ring(v)[1], v);
+        const double reach = largest(glm::abs(level_.exact[second]) - level_.bound(precision)[second]);
+        return core::unit_roundoff(core::Precision::Double) * reach > core::smallest_subnormal(precision);
     }
 
     const LimitSide& side_;
     const core::LimitLevel& limits_;
     const std::vector<Index>& vertex_of_;
+    const WitnessLevel& level_;
     const core::SchemeLevel& scheme_;
     LimitOracle truth_, done_;
     DeviatingMasks masks_;

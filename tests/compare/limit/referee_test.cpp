@@ -9,6 +9,7 @@
 
 #include "compare/limit/words.h"
 #include "tests/compare/support.h"
+#include "tests/support/meshes.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -272,6 +273,26 @@ TEST_P(KnownLimitDeviation, FailsWhenItIsLargerOrElsewhere) {
         const auto c = judge(mesh, subject("ours"), more, options());
         expect_verdict(c, Verdict::Differs, 1);
         EXPECT_EQ(total(c).position.unexplained, 1U) << "vertex " << v;
+    }
+}
+
+// The noise of sin(pi) is that of the second neighbour: none where that is the origin, and none is meant
+// where a sharp edge makes the vertex something else.
+TEST(LimitReferee, IsNotMisledByAPillow) {
+    core::MeshData plain = tests::data_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}});
+    core::MeshData with_dart = plain, with_chaikin = plain;
+    with_dart.creases = {{0, 1, core::kInfiniteSharpness}};
+    with_chaikin.creases = {{0, 1, 2.5F}, {1, 2, 1.2F}};
+    core::SchemeOptions chaikin;
+    chaikin.creasing = core::Creasing::Chaikin;
+    for (const auto& [data, rules] :
+         {std::pair{plain, core::SchemeOptions{}}, std::pair{with_dart, core::SchemeOptions{}},
+          std::pair{with_chaikin, chaikin}}) {
+        const auto mesh = tests::mesh_of(data);
+        for (const std::string precision : {"", "-float"}) {
+            const auto c = judge(mesh, subject("ours" + precision), subject("opensubdiv" + precision), rules);
+            EXPECT_EQ(exit_code(c.verdict), 0) << testing::PrintToString(c.notes);
+        }
     }
 }
 
