@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/loop/child_parameter.h"
+
 namespace loopcheck::compare {
 namespace {
 
@@ -36,14 +38,6 @@ bool is_blurred(const CornerView& view) {
 // level.
 bool is_legacy_corner(const CornerView& view) {
     return view.settled && view.star.open && !view.star.pinned && view.sector.faces == 1;
-}
-
-// Where a parameter is in one of the four children of its triangle.
-int descend(double& u, double& v) {
-    const int k = u >= 0.5 ? 1 : v >= 0.5 ? 2 : u + v <= 0.5 ? 0 : 3;
-    u = k == 3 ? 1 - 2 * u : k == 1 ? 2 * u - 1 : 2 * u;
-    v = k == 3 ? 1 - 2 * v : k == 2 ? 2 * v - 1 : 2 * v;
-    return k;
 }
 
 Spread spread_of(std::span<const glm::dvec3> points) {
@@ -148,7 +142,7 @@ PatchAt FaceWalk::patch_at(double u, double v, const SurfaceSettings& settings) 
             break;
         }
         above = node;
-        const int k = descend(u, v);
+        const int k = core::descend(u, v);
         if (k == 3) out.turn = -out.turn;
         node = &child(*node, k);
     }

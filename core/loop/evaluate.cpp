@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/loop/box_spline.h"
+#include "core/loop/child_parameter.h"
 #include "core/loop/corner_view.h"
 #include "core/loop/sublevel.h"
 
@@ -85,16 +86,6 @@ using Matrix = std::vector<std::vector<Scalar>>;
 template <class Scalar>
 void add_scaled(std::vector<Scalar>& to, const Scalar& factor, const std::vector<Scalar>& row) {
     for (std::size_t j = 0; j < to.size(); ++j) to[j] += factor * row[j];
-}
-
-// Where a parameter is in one of the four children of its triangle.
-template <class Scalar>
-int descend(Scalar& u, Scalar& v) {
-    const Scalar half = Scalar(1) / 2;
-    const int k = u >= half ? 1 : v >= half ? 2 : u + v <= half ? 0 : 3;
-    u = k == 3 ? Scalar(1 - 2 * u) : k == 1 ? Scalar(2 * u - 1) : Scalar(2 * u);
-    v = k == 3 ? Scalar(1 - 2 * v) : k == 2 ? Scalar(2 * v - 1) : Scalar(2 * v);
-    return k;
 }
 
 // The corner at which a parameter is, or kNone.
