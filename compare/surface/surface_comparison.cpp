@@ -191,27 +191,28 @@ class Judge {
                                   ? use_of(off, exact, patch.depth, 3, 5)
                                   : turned_use(off, rows, exact, patch.depth, face));
         }
-        return misses_chaikin(face) && !(use <= 1) ? chaikin_use(off, face) : use;
+        return misses_chaikin(face) ? chaikin_use(off, face, use) : use;
     }
 
     // Where Bfr cannot know all of Chaikin's neighbours.
-    bool misses_chaikin(const FaceAround& face) {
-        const bool out = out_.check.way.method == reference::SurfaceMethod::Bfr &&
-                         out_.options.creasing == core::Creasing::Chaikin && face.is_semi_sharp();
-        if (out) ++count(Id::BfrChaikin).possible;
-        return out;
+    bool misses_chaikin(const FaceAround& face) const {
+        return out_.check.way.method == reference::SurfaceMethod::Bfr &&
+               out_.options.creasing == core::Creasing::Chaikin && face.is_semi_sharp();
     }
 
-    // The edge point that Bfr has wrong is one of level 1, so the points of the whole face bound the error.
-    double chaikin_use(const core::SurfaceRows& off, const FaceAround& face) {
+    // The edge point that Bfr has wrong is one of level 1, so where `use` says that a sample is beyond its
+    // bound the points of the whole face bound the error.
+    double chaikin_use(const core::SurfaceRows& off, const FaceAround& face, double use) {
         DeviationCount& seen = count(Id::BfrChaikin);
+        ++seen.possible;
+        if (use <= 1) return use;
         ++seen.shown;
         seen.largest = larger(seen.largest, size_of(off.weights[0]));
         return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * face.spread.half);
     }
 
     // Second derivatives of a turned triangle must be those of the opposite sign.  Where sharpness is finite,
-    // OpenSubdiv refines by rules of its own choice how far, and either sign may be there.
+    // how far OpenSubdiv refines is not predicted, and either sign may be there.
     double turned_use(const core::SurfaceRows& off, const core::SurfaceRows& rows, const Stencil& exact,
                       int depth, const FaceAround& face) {
         const double rounding = face.is_semi_sharp() ? kFloatShares : 1;
@@ -252,8 +253,7 @@ class Judge {
             use = larger(use, share_of(error[d], bound));
             if (d == 0) stats.predicted = std::max(stats.predicted, largest_coordinate(bound));
         }
-        if (!(use <= 1) && misses_chaikin(face)) return chaikin_use(off, face);
-        return use;
+        return misses_chaikin(face) ? chaikin_use(off, face, use) : use;
     }
 
     glm::dvec3 bound_of(const Stencil& exact, const PatchAt& patch, const AtlasError* known, int d) const {
