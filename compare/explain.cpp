@@ -6,7 +6,7 @@
 
 #include "compare/matching.h"
 #include "compare/words.h"
-#include "core/loop/high_precision.h"
+#include "core/mesh/high_precision.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {

@@ -2,7 +2,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/loop/high_precision.h"
+#include "core/mesh/high_precision.h"
 
 namespace loopcheck::compare {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/loop/high_precision.h"
+#include "core/mesh/high_precision.h"
 
 namespace loopcheck::compare {
 

@@ -11,14 +11,6 @@ constexpr double kRoundUp = 1 + 1e-9;
 
 }  // namespace
 
-double smallest_subnormal(Precision precision) {
-    return precision == Precision::Float ? 0x1p-149 : 0x1p-1074;
-}
-
-double unit_roundoff(Precision precision) {
-    return precision == Precision::Float ? 0x1p-24 : 0x1p-53;
-}
-
 Bounds control_bounds(std::span<const glm::dvec3> positions, Precision precision) {
     Bounds out(positions.size(), glm::dvec3(0));
     if (precision == Precision::Float)
@@ -32,8 +24,7 @@ Bounds control_bounds(std::span<const glm::dvec3> positions, Precision precision
 glm::dvec3 row_bound(std::span<const double> weights, std::span<const double> sizes, int ulps,
                      const RowBase& base, Precision precision) {
     const auto terms = static_cast<double>(base.columns.size());
-    const double k = (terms + ulps) * unit_roundoff(precision);
-    const double g = k / (1 - k);
+    const double g = rounding_of(terms + ulps, precision);
     glm::dvec3 carried(0), size(0);
     for (std::size_t j = 0; j < base.columns.size(); ++j)
         for (int i = 0; i < 3; ++i) {

@@ -5,14 +5,9 @@
 
 #include "core/loop/rows.h"
 #include "core/mesh/refinement.h"
+#include "core/mesh/rounding.h"
 
 namespace loopcheck::core {
-
-/// Unit roundoff u: 2^-53 for double, 2^-24 for float.
-double unit_roundoff(Precision precision);
-
-/// Smallest positive number t: 2^-1074 for double, 2^-149 for float.
-double smallest_subnormal(Precision precision);
 
 /// A bound for each coordinate of each vertex, in model units.
 using Bounds = Points<double>;

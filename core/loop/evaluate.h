@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/loop/limit.h"
-#include "core/loop/point.h"
+#include "core/mesh/point.h"
 #include "core/mesh/surface.h"
 
 namespace loopcheck::core {

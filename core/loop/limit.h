@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
-#include "core/loop/high_precision.h"
 #include "core/loop/refine.h"
 #include "core/loop/sectors.h"
+#include "core/mesh/high_precision.h"
 #include "core/mesh/surface.h"
 
 namespace loopcheck::core {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/loop/masks.h"
-#include "core/loop/point.h"
 #include "core/loop/sharpness.h"
+#include "core/mesh/point.h"
 #include "core/mesh/topology.h"
 
 namespace loopcheck::core {

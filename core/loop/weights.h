@@ -6,7 +6,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "core/loop/high_precision.h"
+#include "core/mesh/high_precision.h"
 #include "core/mesh/options.h"
 
 namespace loopcheck::core {

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "core/loop/high_precision.h"
+#include "core/mesh/high_precision.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::tests {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/loop/error_bound.h"
-#include "core/loop/high_precision.h"
 #include "core/loop/refine.h"
+#include "core/mesh/high_precision.h"
 #include "tests/support/observed.h"
 
 namespace loopcheck::tests {

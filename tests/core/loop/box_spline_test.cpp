@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/loop/high_precision.h"
+#include "core/mesh/high_precision.h"
 #include "tests/support/observed.h"
 
 namespace loopcheck::core {

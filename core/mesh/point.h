@@ -7,10 +7,16 @@
 
 namespace loopcheck::core {
 
-/// Three coordinates, and nothing else: what GLM's vectors cannot be for a multiprecision scalar.
+/// Three coordinates and the vector operations: what GLM's vectors cannot be for a multiprecision scalar.
 template <class Scalar>
 struct Vec3 {
+    using value_type = Scalar;
     Scalar x{}, y{}, z{};
+
+    friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vec3 operator*(const Scalar& s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+    bool operator==(const Vec3&) const = default;
 };
 
 /// glm::vec3 and glm::dvec3 for float and double, Vec3 for every other scalar.
