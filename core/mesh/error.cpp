@@ -40,6 +40,10 @@ std::string_view code_name(ErrorCode code) {
             return "inconsistent-winding";
         case ErrorCode::DuplicateFace:
             return "duplicate-face";
+        case ErrorCode::TooFewPoints:
+            return "too-few-points";
+        case ErrorCode::BadKnots:
+            return "bad-knots";
         case ErrorCode::OutsideDomain:
             return "outside-domain";
         case ErrorCode::NoLimitSurface:
@@ -64,6 +68,8 @@ std::string to_string(Place place) {
             return fmt::format("vertex {}", place.index);
         case Place::Kind::Face:
             return fmt::format("face {}", place.index);
+        case Place::Kind::Point:
+            return fmt::format("point {}", place.index);
     }
     return {};
 }

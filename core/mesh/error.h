@@ -28,6 +28,8 @@ enum class ErrorCode : std::uint8_t {
     NonManifoldVertex,    ///< the faces around a vertex form more than one fan
     InconsistentWinding,  ///< two neighbouring faces run along their edge in the same direction
     DuplicateFace,        ///< two faces with the same three vertices and the same winding
+    TooFewPoints,         ///< fewer control points than a curve of this kind needs
+    BadKnots,             ///< knots that no continuous curve can have
     OutsideDomain,        ///< a parameter is outside its triangle
     NoLimitSurface,       ///< a face that has no limit surface: a hole, or one at a boundary without rule
     Unsupported,          ///< a subject or a file format has no way to express this
@@ -38,11 +40,11 @@ enum class ErrorCode : std::uint8_t {
 /// The code as it is printed and documented, for instance "repeated-vertex".
 std::string_view code_name(ErrorCode code);
 
-/// Where in a mesh something is.
+/// Where in a mesh, a curve or a file something is.
 struct Place {
-    enum class Kind : std::uint8_t { None, Line, Vertex, Face };
+    enum class Kind : std::uint8_t { None, Line, Vertex, Face, Point };
     Kind kind = Kind::None;
-    std::int64_t index = 0;  ///< vertices and faces from 0, lines from 1
+    std::int64_t index = 0;  ///< vertices, faces and points from 0, lines from 1
 
     bool operator==(const Place&) const = default;
 };

@@ -30,6 +30,8 @@ constexpr Named kNames[] = {
     {ErrorCode::NonManifoldVertex, "non-manifold-vertex"},
     {ErrorCode::InconsistentWinding, "inconsistent-winding"},
     {ErrorCode::DuplicateFace, "duplicate-face"},
+    {ErrorCode::TooFewPoints, "too-few-points"},
+    {ErrorCode::BadKnots, "bad-knots"},
     {ErrorCode::OutsideDomain, "outside-domain"},
     {ErrorCode::NoLimitSurface, "no-limit-surface"},
     {ErrorCode::Unsupported, "unsupported"},

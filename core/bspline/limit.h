@@ -1,0 +1,113 @@
+// Where the control points of a curve go when subdivision goes on for ever, and how far they are from there.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "core/bspline/curve.h"
+
+namespace loopcheck::core {
+
+/// Weights of the neighbours -m, ..., m of a control point, m = degree / 2 rounded down, at the parameter
+/// where it belongs, uniform knots: of the curve there (r = 0), or of its derivative of order r.
+///
+///     degree 3: (1, 4, 1)/6, (-1, 0, 1)/2 and (1, -2, 1);  2: (1, 6, 1)/8;  5: (1, 26, 66, 26, 1)/120
+///
+/// Source  basis functions at whole numbers.
+/// Laws    1. sums to 1, or 0 for r > 0; 2. at a knot where the derivative jumps it is that of the right
+/// side.
+std::vector<Rational> limit_mask(int degree, int r);
+
+/// Where the control points from `first` on go: those that have a limit, and the derivative of the curve
+/// there with respect to its own parameter.
+template <CurvePoint P>
+struct CurveLimits {
+    std::size_t first = 0;
+    std::vector<P> positions;
+    std::vector<P> tangents;
+};
+
+/// Every control point of a Natural or Closed curve has a limit; of an Open one, those in its domain.  At a
+/// natural end it is the point itself, with the tangent along the polygon.
+///
+/// Range   not Clamped, and degree >= 2: a polygon has no tangent.
+///
+/// Error   2 m + 2 roundings of the largest |coordinate|, phantoms included.
+///
+/// Laws    1. the limit of a control point is that of its vertex point in the next level; 2. it is on the
+/// curve.
+template <CurvePoint P>
+CurveLimits<P> limits(const Curve<P>& curve) {
+    using Scalar = ScalarOf<P>;
+    const CurveShape& shape = curve.shape();
+    const int m = shape.degree / 2;
+    const bool open = shape.ends == Ends::Open;
+    const auto weights = [&](int r) {
+        std::vector<Scalar> out;
+        for (const Rational& w : limit_mask(shape.degree, r))
+            out.push_back(Scalar(numerator(w).template convert_to<int>()) /
+                          Scalar(denominator(w).template convert_to<int>()));
+        return out;
+    };
+    const auto position = weights(0), tangent = weights(1);
+    CurveLimits<P> out;
+    out.first = static_cast<std::size_t>(open ? m : 0);
+    for (std::size_t i = out.first; i + out.first < curve.size(); ++i) {
+        P p{}, t{};
+        for (int k = -m; k <= m; ++k) {
+            const P c = control_point(curve, static_cast<std::int64_t>(i) + k);
+            p = p + position[k + m] * c;
+            t = t + tangent[k + m] * c;
+        }
+        out.positions.push_back(p);
+        out.tangents.push_back(t);
+    }
+    return out;
+}
+
+/// The second differences c_(i-1) - 2 c_i + c_(i+1) that the curve depends on, the largest length of one.
+///
+/// Natural: inside; those of the phantoms are zero or as long as inner ones.  Closed: all.  Open and Clamped:
+/// inside.
+template <CurvePoint P>
+double largest_second_difference(const Curve<P>& curve) {
+    const auto n = static_cast<std::int64_t>(curve.size());
+    const std::int64_t skip = curve.shape().ends == Ends::Closed ? 0 : 1;
+    double largest = 0;
+    for (std::int64_t i = skip; i < n - skip; ++i) {
+        const P d = (control_point(curve, i - 1) - control_point(curve, i)) +
+                    (control_point(curve, i + 1) - control_point(curve, i));
+        largest = std::max(largest, static_cast<double>(norm(d)));
+    }
+    return largest;
+}
+
+/// How far the control polygon of level k can be from the curve at the same parameter,
+///
+///     4^-k (d + 1)/24 max_i |c_(i-1) - 2 c_i + c_(i+1)|
+///
+/// and, for cubics with natural ends or closed, how far it is: the vertex point of that i is off by exactly
+/// so much.
+///
+/// Proof   The difference is sum_i K_i(t) (second difference i) with K_i >= 0.  For c_i = i^2 / 2 all second
+///         differences are 1, and it is (d + 1)/24 at whole t and less between.  Second differences of the
+///         next level are averages of a quarter of these.
+///
+/// Range   uniform knots, d >= 2; 0 for d = 1.
+template <CurvePoint P>
+double polygon_distance(const Curve<P>& curve, int level) {
+    if (curve.shape().degree == 1) return 0;
+    return std::ldexp((curve.shape().degree + 1) / 24.0 * largest_second_difference(curve), -2 * level);
+}
+
+/// The first level whose polygon is within `tolerance` of the curve, by `polygon_distance`; uniform knots.
+///
+/// Range   tolerance > 0.
+template <CurvePoint P>
+int level_for_tolerance(const Curve<P>& curve, double tolerance) {
+    int level = 0;
+    while (polygon_distance(curve, level) > tolerance) ++level;
+    return level;
+}
+
+}  // namespace loopcheck::core
