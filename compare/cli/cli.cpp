@@ -36,21 +36,38 @@ core::SchemeOptions RuleFlags::for_model(const core::Model& model) const {
                              core::parse_weights(weights).value_or(core::Weights::Loop));
 }
 
+namespace {
+
+void add_memory(CLI::App& command, double& gib) {
+    command.add_option("--memory", gib, "GiB that may be used; default: what is available")
+        ->check([](const std::string& text) {
+            const auto value = core::parse_double(text);
+            return value && *value > 0 && std::isfinite(*value) ? std::string()
+                                                                : text + " is not a positive number of GiB";
+        });
+}
+
+void add_triangulate(CLI::App& command, bool& triangulate) {
+    command.add_flag("--triangulate", triangulate, "split polygons by a fan from their first corner");
+}
+
+}  // namespace
+
 void WorkFlags::add_to(CLI::App& command) {
+    add_levels_to(command);
+    add_triangulate(command, triangulate);
+}
+
+void WorkFlags::add_levels_to(CLI::App& command) {
     command.add_option("--levels", levels, "levels of refinement")
         ->capture_default_str()
         ->check(CLI::Range(0, 30));
-    add_memory_to(command);
+    add_memory(command, memory_gib);
 }
 
 void WorkFlags::add_memory_to(CLI::App& command) {
-    command.add_option("--memory", memory_gib, "GiB that may be used; default: what is available")
-        ->check([](const std::string& text) {
-            const auto gib = core::parse_double(text);
-            return gib && *gib > 0 && std::isfinite(*gib) ? std::string()
-                                                          : text + " is not a positive number of GiB";
-        });
-    command.add_flag("--triangulate", triangulate, "split polygons by a fan from their first corner");
+    add_memory(command, memory_gib);
+    add_triangulate(command, triangulate);
 }
 
 double WorkFlags::memory_limit() const {
@@ -137,13 +154,16 @@ int run(const std::vector<std::string>& arguments, std::span<const Subject> subj
         "one\n"
         "  loopcheck atlas                                        how far they are off at each kind of "
         "vertex\n"
+        "  loopcheck curve points.txt --compare opensubdiv        a B-spline curve, and the same in a "
+        "boundary\n"
         "  loopcheck stencils cow.obj --limit -o limit.mtx        the limit of every vertex as a matrix\n"
         "\n"
         "Exit codes: 0 agree, 1 differ, 2 bad usage or unreadable input, 3 a subject failed or cannot do "
         "it.");
-    const std::vector<Command> commands{add_compare(program), add_suite(program),    add_refine(program),
-                                        add_limit(program),   add_atlas(program),    add_deviations(program),
-                                        add_explain(program), add_stencils(program), add_subjects(program)};
+    const std::vector<Command> commands{add_compare(program),    add_curve(program),   add_suite(program),
+                                        add_refine(program),     add_limit(program),   add_atlas(program),
+                                        add_deviations(program), add_explain(program), add_stencils(program),
+                                        add_subjects(program)};
     try {
         program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {

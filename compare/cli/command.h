@@ -29,6 +29,7 @@ using Command = std::function<int(const Context&)>;
 
 /// Adds a command to the program.
 Command add_compare(CLI::App& program);
+Command add_curve(CLI::App& program);
 Command add_suite(CLI::App& program);
 Command add_refine(CLI::App& program);
 Command add_deviations(CLI::App& program);
@@ -53,6 +54,8 @@ struct WorkFlags {
     bool triangulate = false;
 
     void add_to(CLI::App& command);
+    /// Without --triangulate.
+    void add_levels_to(CLI::App& command);
     /// Without --levels.
     void add_memory_to(CLI::App& command);
     /// In bytes; what is available where nothing was typed.

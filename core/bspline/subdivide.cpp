@@ -24,6 +24,24 @@ struct Row {
 
 }  // namespace
 
+std::size_t point_count(const CurveShape& shape, std::size_t control_points, int level) {
+    std::size_t n = control_points;
+    const auto d = static_cast<std::size_t>(shape.degree);
+    for (int l = 0; l < level; ++l) switch (shape.ends) {
+            case Ends::Natural:
+                n = 2 * n - 1;
+                break;
+            case Ends::Closed:
+                n = 2 * n;
+                break;
+            case Ends::Open:
+            case Ends::Clamped:
+                n = 2 * n - d;  // as many more as there are intervals, n - d
+                break;
+        }
+    return n;
+}
+
 Result<SparseMatrix> subdivision_matrix(const CurveShape& shape, std::size_t point_count) {
     std::vector<Row> unit(point_count);
     for (std::size_t i = 0; i < point_count; ++i) unit[i].weights[static_cast<Index>(i)] = 1;
