@@ -16,7 +16,7 @@
 namespace loopcheck::compare {
 namespace {
 
-constexpr std::size_t kMostFlatPoints = 10'000'000;
+constexpr std::size_t kMostFlatPoints = 1'000'000;
 
 struct Flags {
     std::string points, ends, peer, json, csv, svg, matrix;
@@ -153,7 +153,7 @@ int run_curve(const Context& context, const Flags& flags) {
                     report.comparison.carried.push_back(std::move(one));
     }
     context.out << curve_as_text(report);
-    return write_files(context, flags, report) ? report.comparison.exit_code() : kExitUsage;
+    return write_files(context, flags, report) ? exit_code(report.comparison.worst()) : kExitUsage;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "compare/memory.h"
 #include "core/bspline/limit.h"
@@ -142,7 +143,7 @@ void judge(CurveComparison& c) {
         if (p.allowed && !(p.distance <= *p.allowed + kSecondDifferenceRoundings * c.unit()))
             blame(fmt::format("The polygon of level {} is {} from the curve; {} is allowed.", p.level,
                               p.distance, *p.allowed));
-        if (p.limit_error && !(*p.limit_error <= kEqualInHighPrecision * c.largest_coordinate))
+        if (p.limit_error && !(*p.limit_error <= kEqualInHighPrecision))
             blame(fmt::format("Limits of level {} are not on the curve.", p.level));
     }
     for (const EvaluationStats& e : c.evaluations)
@@ -220,10 +221,10 @@ void compare_carrier(CarriedComparison& out, const DoubleCurve& curve, std::span
 
 }  // namespace
 
-int CurveComparison::exit_code() const {
-    int code = compare::exit_code(own);
-    for (const CarriedComparison& c : carried) code = worse_exit_code(code, compare::exit_code(c.verdict));
-    return code;
+Verdict CurveComparison::worst() const {
+    Verdict out = own;
+    for (const CarriedComparison& c : carried) out = std::max(out, c.verdict);
+    return out;
 }
 
 CurveComparison compare_curve(const DoubleCurve& curve, int levels, const CurveProgress& progress) {
@@ -245,7 +246,9 @@ CurveComparison compare_curve(const DoubleCurve& curve, int levels, const CurveP
         if (!uniform) continue;
         out.polygons.back().allowed = core::polygon_distance(curve, l);
         const auto level = core::Curve<HighPoint>::make(exact[l].points, curve.shape());
-        out.polygons.back().limit_error = limit_error(*level, exact[l].parameters, oracle, stride);
+        out.polygons.back().limit_error =
+            limit_error(*level, exact[l].parameters, oracle, stride) /
+            std::max(out.largest_coordinate, std::numeric_limits<double>::min());
     }
     const auto parameters = samples_of(curve, out.levels.back());
     for (const auto method :

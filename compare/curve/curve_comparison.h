@@ -66,7 +66,7 @@ struct CurveComparison {
     double unit() const {
         return error_unit(largest_coordinate, core::Precision::Double, core::Precision::Double);
     }
-    int exit_code() const;
+    Verdict worst() const;  ///< of ours and of all subjects
 };
 
 using CurveProgress = std::function<void(const std::string&)>;

@@ -76,7 +76,7 @@ Json json_of(const ToleranceReport& t) {
 
 std::string curve_as_json(const CurveReport& report, std::span<const Subject> subjects) {
     const CurveComparison& c = report.comparison;
-    Json out = document("curve", subjects, c.exit_code());
+    Json out = document("curve", subjects, exit_code(c.worst()));
     out["comparisons"] = Json::array();
     out["model"] = report.file;
     Json curve{{"points", report.curve.size()},

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kColours{"#e69f00", "#009e73", "#56b4e9"};
 constexpr double kWidth = 900, kMargin = 40, kLegendLine = 22, kMostHeight = 900;
 constexpr double kUnseen = 0.1;  // of a pixel
-constexpr std::size_t kMostFlatPoints = 1000000;
+constexpr std::size_t kMostFlatPoints = 100000;
 
 // From the two coordinates that vary most to the page, y up.
 class Page {

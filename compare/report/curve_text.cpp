@@ -99,7 +99,8 @@ std::string curve_as_text(const CurveReport& report) {
     const CurveComparison& c = report.comparison;
     std::string out = header(report) + polygon_table(c) + evaluation_table(c) + carried_table(c);
     if (report.tolerance) out += tolerance_lines(*report.tolerance);
-    out += fmt::format("\nverdict: {}\n", c.exit_code() == 0 ? "agree" : "differ");
+    const Verdict worst = c.worst();
+    out += fmt::format("\nverdict: {}\n", worst <= Verdict::KnownDeviation ? "agree" : name(worst));
     for (const std::string& note : c.notes) out += fmt::format("  {}\n", note);
     return out;
 }

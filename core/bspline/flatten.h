@@ -37,6 +37,19 @@ double largest_second_derivative(const Spline<P>& second, std::size_t s, double 
     return largest;
 }
 
+/// How many chords equal parts of every interval would take; not fewer than the fewest.
+template <CurvePoint P>
+double enough_chords(const Spline<P>& curve, const Spline<P>& second, double tolerance) {
+    double chords = 0;
+    for (auto s = static_cast<std::size_t>(curve.degree); s < curve.points.size(); ++s) {
+        const double a = curve.knots[s], b = curve.knots[s + 1];
+        if (a < b && curve.degree > 1)
+            chords += (b - a) * std::sqrt(largest_second_derivative(second, s - 2, a, b) / 8 / tolerance);
+        chords += 1;
+    }
+    return chords;
+}
+
 }  // namespace detail
 
 /// Chords of the curve, each as long as this allows:
@@ -51,13 +64,19 @@ double largest_second_derivative(const Spline<P>& second, std::size_t s, double 
 ///
 /// Range   tolerance > 0, not NaN; domain [a, b] inside that of the spline.
 ///
-/// Errors  TooLarge where more than `most_points` points would be needed.
+/// Errors  TooLarge where more than `most_points` points could be needed, of which every interval of length h
+/// takes
+///         h sqrt(max |P''| / (8 tolerance)) at the most; or where doubles are not as close as points must
+///         be.
 ///
 /// Error   the points are rounded as `evaluate` says; the parameters are found to within 2 units in the last
 ///         place.
 template <CurvePoint P>
 Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, double tolerance,
                              std::size_t most_points) {
+    const Spline<P> second = detail::second_derivative(curve);
+    if (!(detail::enough_chords(curve, second, tolerance) < static_cast<double>(most_points)))
+        return fail(ErrorCode::TooLarge, "This tolerance may need more points than there is room for.");
     FlatCurve<P> out;
     double a = first, largest = 0;  // of the chord that is growing: where it began, and max |P''| so far
     const auto end_chord = [&](double t) {
@@ -67,7 +86,6 @@ Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, 
         largest = 0;
     };
     end_chord(first);
-    const Spline<P> second = detail::second_derivative(curve);
     const auto degree = static_cast<std::size_t>(curve.degree);
     for (std::size_t s = span_of(curve, first); s < curve.points.size() && curve.knots[s] < last; ++s) {
         const double low = std::max(first, curve.knots[s]), high = std::min(last, curve.knots[s + 1]);
@@ -85,9 +103,8 @@ Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, 
             for (double b = std::midpoint(inside, outside); inside < b && b < outside;
                  b = std::midpoint(inside, outside))
                 (fits(b) ? inside : outside) = b;
-            if (!(inside > a) || out.points.size() + 1 >= most_points)
-                return fail(ErrorCode::TooLarge,
-                            "More points are needed for this tolerance than there is room for.");
+            if (!(inside > a))
+                return fail(ErrorCode::TooLarge, "This tolerance needs parameters closer than doubles are.");
             end_chord(inside);
         }
         largest = reach(high);

@@ -63,6 +63,8 @@ Result<PointsFile> parse_points(std::string_view bytes) {
                         place);
         glm::dvec3 point(0);
         for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (fields[i].empty())
+                return fail(ErrorCode::BadSyntax, "A coordinate is missing beside a separator.", place);
             const auto value = parse_double(fields[i]);
             if (!value)
                 return fail(ErrorCode::BadSyntax, fmt::format("'{}' is not a number.", shown(fields[i])),

@@ -1,4 +1,4 @@
-// loopcheck_models OUTDIR: writes OUTDIR/*.obj, OUTDIR/reject/* and OUTDIR/README.md.
+// loopcheck_models OUTDIR: writes OUTDIR/*.obj, OUTDIR/curves/*, OUTDIR/reject/* and OUTDIR/README.md.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/generate/catalogue.h"
+#include "models/generate/curves.h"
 #include "models/generate/reject.h"
 #include "models/generate/write.h"
 
@@ -27,10 +28,14 @@ void write_file(const fs::path& path, const std::string& text) {
 void write_all(const fs::path& folder) {
     const std::vector<Model> models = catalogue();
     const std::vector<Reject> refused = rejects();
+    const std::vector<CurveModel> points = curves();
     fs::create_directories(folder / "reject");
+    fs::create_directories(folder / "curves");
     for (const Model& model : models) write_file(folder / (model.name + ".obj"), obj_text(model));
+    for (const CurveModel& curve : points)
+        write_file(folder / "curves" / (curve.name + ".txt"), points_text(curve));
     for (const Reject& reject : refused) write_file(folder / "reject" / reject.file, reject.text);
-    write_file(folder / "README.md", index_text(models, refused));
+    write_file(folder / "README.md", index_text(models, points, refused));
 }
 
 }  // namespace

@@ -33,6 +33,10 @@ Reject obj(const Fault& fault) {
     return {file_name(fault, ".obj"), fault.code, fault.reason, "# " + remark(fault) + fault.body};
 }
 
+Reject points(const Fault& fault) {
+    return {file_name(fault, ".txt"), fault.code, fault.reason, "# " + remark(fault) + fault.body};
+}
+
 /// The body starts with the line of counts.
 Reject off(const Fault& fault) {
     return {file_name(fault, ".off"), fault.code, fault.reason, "OFF\n# " + remark(fault) + fault.body};
@@ -142,11 +146,29 @@ std::vector<Reject> manifolds() {
     };
 }
 
+std::vector<Reject> control_points() {
+    const std::string good = "0.2 0.1\n1.4 0.6\n2.9 1.3\n";
+    return {
+        points({"bad-syntax", "word-between-points", "a word where a coordinate belongs", good + "1.4 x\n"}),
+        points({"bad-syntax", "one-coordinate", "a point of one coordinate", good + "1.4\n"}),
+        points({"bad-syntax", "four-coordinates", "a point of four coordinates", "1 2 3 4\n" + good}),
+        points({"bad-syntax", "mixed-dimensions", "points of two coordinates, then one of three",
+                good + "1.4 0.6 0.3\n"}),
+        points({"bad-syntax", "mixed-separators", "commas and semicolons in one line",
+                "0.2,0.1,0.5\n1.4,0.6;0.5\n"}),
+        points({"bad-syntax", "empty-field", "nothing between two commas", "0.2,,0.1\n1.4,0.6,0.5\n"}),
+        points({"not-finite", "point", "a coordinate that is not a number", good + "nan 0.6\n"}),
+        points({"not-finite", "too-large", "a coordinate that cannot be summed", good + "1e308 0.6\n"}),
+        points({"too-few-points", "", "one point, and no curve", "0.2 0.1\n"}),
+        points({"too-few-points", "none", "nothing but this comment", ""}),
+    };
+}
+
 }  // namespace
 
 std::vector<Reject> rejects() {
     std::vector<Reject> all;
-    for (const auto& subject : {syntax, faces, numbers, tags, manifolds}) {
+    for (const auto& subject : {syntax, faces, numbers, tags, manifolds, control_points}) {
         for (Reject& reject : subject()) all.push_back(std::move(reject));
     }
     return all;

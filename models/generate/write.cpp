@@ -47,12 +47,13 @@ std::string tag_text(const Mesh& mesh) {
 
 constexpr const char* kIndexHead = R"(# Models
 
-Small meshes, each with one purpose in its name, and files that a reader must refuse (`reject/`).
+Small meshes, each with one purpose in its name, control points of curves (`curves/`), and files that a
+reader must refuse (`reject/`).
 Every file here, this one too, is written by `loopcheck_models models`, the program in
 [generate/](generate/); change the program, not the files. To add a model, add one entry to
-[generate/catalogue.cpp](generate/catalogue.cpp).
+[generate/catalogue.cpp](generate/catalogue.cpp), to add a curve one to [generate/curves.cpp](generate/curves.cpp).
 
-The format is OBJ. The first line is the purpose. Faces are counter-clockwise seen from outside, and
+The format of meshes is OBJ. The first line is the purpose. Faces are counter-clockwise seen from outside, and
 `f` counts from 1 as usual. The tags are those of the OpenSubdiv test shapes and count from 0:
 
 | Tag | Meaning |
@@ -85,13 +86,29 @@ std::string obj_text(const Model& model) {
     return text + tag_text(mesh);
 }
 
-std::string index_text(const std::vector<Model>& models, const std::vector<Reject>& rejects) {
+std::string points_text(const CurveModel& curve) {
+    std::string text = "# " + curve.purpose + "\n";
+    for (const auto& point : curve.points)
+        for (std::size_t i = 0; i < point.size(); ++i)
+            text += shortest(rounded(point[i], curve.decimals)) + (i + 1 < point.size() ? " " : "\n");
+    return text;
+}
+
+std::string index_text(const std::vector<Model>& models, const std::vector<CurveModel>& curves,
+                       const std::vector<Reject>& rejects) {
     std::string text = kIndexHead;
     text += "## Meshes\n\n| File | Purpose | Vertices | Faces | Boundary edges |\n|---|---|--:|--:|--:|\n";
     for (const auto& [name, purpose, mesh] : models) {
         text += "| [" + name + ".obj](" + name + ".obj) | " + purpose + " | " +
                 std::to_string(mesh.points.size()) + " | " + std::to_string(mesh.faces.size()) + " | " +
                 std::to_string(boundary_edge_count(mesh)) + " |\n";
+    }
+    text += "\n## Curves\n\nControl points, one a line, for `loopcheck curve`.\n\n";
+    text += "| File | Purpose | Points | Dimension |\n|---|---|--:|--:|\n";
+    for (const CurveModel& curve : curves) {
+        text += "| [" + curve.name + ".txt](curves/" + curve.name + ".txt) | " + curve.purpose + " | " +
+                std::to_string(curve.points.size()) + " | " + std::to_string(curve.points.front().size()) +
+                " |\n";
     }
     text += "\n## Files to refuse\n\nEach is wrong in one way, and must be refused with this code.\n\n";
     text += "| File | Code | Why |\n|---|---|---|\n";

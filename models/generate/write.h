@@ -1,9 +1,10 @@
-// Models as text: OBJ with tags, and the index of the folder.
+// Models as text: OBJ with tags, points of curves, and the index of the folder.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "models/generate/curves.h"
 #include "models/generate/mesh.h"
 #include "models/generate/reject.h"
 
@@ -13,7 +14,11 @@ namespace loopcheck::models {
 /// mesh and written with the fewest digits, so that the text is the same on every machine.
 std::string obj_text(const Model& model);
 
+/// The text file of a curve: purpose, then a point a line.
+std::string points_text(const CurveModel& curve);
+
 /// README.md: what the folder holds, file by file.
-std::string index_text(const std::vector<Model>& models, const std::vector<Reject>& rejects);
+std::string index_text(const std::vector<Model>& models, const std::vector<CurveModel>& curves,
+                       const std::vector<Reject>& rejects);
 
 }  // namespace loopcheck::models

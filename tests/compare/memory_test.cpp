@@ -5,6 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+
+#include "compare/curve/curve_comparison.h"
 #include "compare/referee.h"
 #include "compare/report/report.h"
 #include "tests/compare/support.h"
@@ -73,17 +76,21 @@ double peak_memory(const std::vector<std::string>& arguments) {
 
 // The constants per vertex are measured ones: the estimate must cover the peak and not exceed it by more than
 // half.
-void expect_covers(double bytes_per_vertex, const std::vector<std::string>& arguments,
-                   const core::TriangleMesh& mesh, int level) {
+void expect_covers(double bytes_per_vertex, const std::vector<std::string>& arguments, double vertices) {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "sanitizers take memory of their own";
 #endif
-    const double estimate = bytes_per_vertex * level_size(mesh, level).vertices;
+    const double estimate = bytes_per_vertex * vertices;
     const double peak = peak_memory(arguments);
-    std::printf("%s: peak %.0f bytes a vertex, estimate %.0f\n", arguments[0].c_str(),
-                peak / level_size(mesh, level).vertices, bytes_per_vertex);
+    std::printf("%s: peak %.0f bytes a vertex, estimate %.0f\n", arguments[0].c_str(), peak / vertices,
+                bytes_per_vertex);
     EXPECT_LE(peak, estimate);
     EXPECT_GE(1.5 * peak, estimate);
+}
+
+void expect_covers(double bytes_per_vertex, const std::vector<std::string>& arguments,
+                   const core::TriangleMesh& mesh, int level) {
+    expect_covers(bytes_per_vertex, arguments, level_size(mesh, level).vertices);
 }
 
 TEST(MemoryEstimate, CoversComparisons) {
@@ -126,6 +133,14 @@ TEST(MemoryEstimate, CoversWritingAMesh) {
                        "--scheme", subject.name},
                       mesh, 5);
     }
+}
+
+TEST(MemoryEstimate, CoversACurve) {
+    constexpr int kPoints = 60, kLevel = 13;  // of wandering.txt
+    expect_covers(kCurveBytesPerPoint,
+                  {"curve", std::string(LOOPCHECK_MODELS_DIR) + "/curves/wandering.txt", "--levels",
+                   std::to_string(kLevel), "--csv", testing::TempDir() + "memory.csv"},
+                  std::ldexp(kPoints, kLevel));
 }
 
 }  // namespace
