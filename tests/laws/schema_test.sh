@@ -25,6 +25,8 @@ report atlas 0 atlas --levels 2
 report limit 0 limit "$source/models/icosahedron.obj" --method bfr --samples 8
 report limit-none 3 limit "$source/models/boundary-none.obj" --method bfr
 report deviations 0 deviations
+report curve 0 curve "$source/models/curves/lab.txt" --levels 2 --compare opensubdiv --tolerance 0.01
+report curve-clamped 3 curve "$source/models/curves/lab.txt" --ends clamped --levels 2 --compare opensubdiv --tolerance 0.01
 report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
 
 # The validator must be able to say no.
