@@ -41,6 +41,10 @@
 #include <string_view>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "core/bspline/limit.h"
 #include "core/bspline/sample.h"
 #include "core/bspline/subdivide.h"
@@ -193,15 +197,22 @@ bool add_case(std::string_view type, std::int64_t count) {
     return all_agree(*shared);
 }
 
-// Google Benchmark hands its results to a class derived from one of its own.  Costs are CPU time per sample.
+// Google Benchmark hands its results to a class derived from one of its own.  Costs are CPU time per sample;
+// of several repetitions only the medians are printed.
 class Costs : public benchmark::ConsoleReporter {
   public:
+    Costs() : ConsoleReporter(OO_None) {}
+
     void ReportRuns(const std::vector<Run>& runs) override {
-        ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs)
-            if (run.run_type == Run::RT_Iteration && !run.error_occurred)
+        std::vector<Run> printed;
+        for (const Run& run : runs) {
+            const bool single = run.run_type == Run::RT_Iteration;
+            if (single && !run.error_occurred)
                 costs_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime() /
                                                              run.counters.at(kSamples).value);
+            if (single ? run.repetitions == 1 : run.aggregate_name == "median") printed.push_back(run);
+        }
+        ConsoleReporter::ReportRuns(printed);
     }
 
     // NaN where a filter has left it out.
@@ -216,6 +227,14 @@ class Costs : public benchmark::ConsoleReporter {
   private:
     std::map<std::string, std::vector<double>> costs_;
 };
+
+// Keeps what was freed: new pages from the system would cost more than the fast methods.
+void keep_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+#endif
+}
 
 struct Plan {
     std::vector<std::string_view> types;
@@ -259,6 +278,7 @@ void print_ratios(const Plan& plan, const Costs& costs) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keep_memory();
     const std::string_view first = argc > 1 ? argv[1] : "";
     const bool planned = first == "--smoke" || first == "--quick";
     Plan plan = plan_of(first);

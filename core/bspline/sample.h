@@ -35,9 +35,14 @@ std::vector<P> sample_intervals(const Curve<P>& curve, int per_interval, Fill fi
     const std::vector<P> c = extended_points(curve);
     const std::size_t intervals = c.size() - 3, s = static_cast<std::size_t>(per_interval);
     const auto around = [&](std::size_t i) { return std::array<P, 4>{c[i], c[i + 1], c[i + 2], c[i + 3]}; };
-    std::vector<P> out(intervals * s + 1);
-    for (std::size_t i = 0; i < intervals; ++i) fill(around(i), std::span<P>(&out[i * s], s));
-    out.back() = weighted_sum(cubic_weights(ScalarOf<P>(1)), around(intervals - 1));
+    std::vector<P> out;
+    out.reserve(intervals * s + 1);
+    for (std::size_t i = 0; i < intervals; ++i) {
+        out.resize(out.size() +
+                   s);  // interval by interval: what is made is still in the cache when it is written
+        fill(around(i), std::span<P>(out).last(s));
+    }
+    out.push_back(weighted_sum(cubic_weights(ScalarOf<P>(1)), around(intervals - 1)));
     return out;
 }
 
