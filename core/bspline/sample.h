@@ -35,11 +35,11 @@ std::vector<P> sample_intervals(const Curve<P>& curve, int per_interval, Fill fi
     const std::vector<P> c = extended_points(curve);
     const std::size_t intervals = c.size() - 3, s = static_cast<std::size_t>(per_interval);
     const auto around = [&](std::size_t i) { return std::array<P, 4>{c[i], c[i + 1], c[i + 2], c[i + 3]}; };
+    // Made interval by interval, so that what is written is still in the cache.
     std::vector<P> out;
     out.reserve(intervals * s + 1);
     for (std::size_t i = 0; i < intervals; ++i) {
-        out.resize(out.size() +
-                   s);  // interval by interval: what is made is still in the cache when it is written
+        out.resize(out.size() + s);
         fill(around(i), std::span<P>(out).last(s));
     }
     out.push_back(weighted_sum(cubic_weights(ScalarOf<P>(1)), around(intervals - 1)));
@@ -63,8 +63,7 @@ std::array<std::array<Scalar, 4>, 4> difference_rows(std::int64_t s) {
 
 }  // namespace detail
 
-/// Points of the curve at first() + j/s for j = 0, 1, ..., s in every interval of knots, as many as it has
-/// intervals times s, and one: in the order of the parameter, which is that of `sample_parameter`.
+/// Points of the curve at first() + j/s, j = 0, ..., m s, in that order; it has m intervals of knots.
 ///
 ///     P(i + k/s) = sum_m w_m(k/s) c_(i-1+m),   w = `cubic_weights`, once for every k
 ///
