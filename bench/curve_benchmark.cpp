@@ -1,6 +1,6 @@
 // What a point of a cubic curve costs, by every way there is to it and by Boost.Math, in one run on one core.
 //
-//     build/release/bench/loopcheck_curve_bench             five minutes, up to 2 GB
+//     build/release/bench/loopcheck_curve_bench             two minutes, about 2 GB
 //     build/release/bench/loopcheck_curve_bench --quick     under a minute: planar points, 3 repetitions
 //     build/release/bench/loopcheck_curve_bench --smoke     checks that all agree; its times mean nothing
 //

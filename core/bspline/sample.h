@@ -105,15 +105,11 @@ template <CurvePoint P>
 std::vector<P> sample_by_differences(const Curve<P>& curve, int per_interval) {
     const auto rows = detail::difference_rows<ScalarOf<P>>(per_interval);
     return detail::sample_intervals(curve, per_interval, [&](const std::array<P, 4> c, std::span<P> samples) {
-        P p = detail::weighted_sum(rows[0], c);
-        P d1 = detail::weighted_sum(rows[1], c);
-        P d2 = detail::weighted_sum(rows[2], c);
-        const P d3 = detail::weighted_sum(rows[3], c);
+        std::array<P, 4> d;  // of order 0, which is the point itself, to 3
+        for (std::size_t r = 0; r < 4; ++r) d[r] = detail::weighted_sum(rows[r], c);
         for (P& sample : samples) {
-            sample = p;
-            p = p + d1;
-            d1 = d1 + d2;
-            d2 = d2 + d3;
+            sample = d[0];
+            for (std::size_t r = 0; r < 3; ++r) d[r] = d[r] + d[r + 1];
         }
     });
 }
