@@ -53,15 +53,15 @@ inline constexpr int kBasisRoundingsPerDegree = 5;
 ///
 ///     N'_i,d(t) = d / (k_(i+d) - k_i) N_i,d-1(t) - d / (k_(i+d+1) - k_(i+1)) N_i+1,d-1(t)
 ///
-/// and so on.  At a knot where it jumps it is that of the right side.  Zero for r > degree.
+/// and so on.  At a knot where it jumps it is that of the right side, at the last knot that of the left.
+/// Zero for r > degree.
 ///
 /// Source  [deBoor78], chapter X.
 ///
 /// Cost    2^r basis functions.
 ///
 /// Error   at most (5 degree + 4 r) roundings of the same sum with every term taken positive, which is at
-/// most
-///         2^r d!/(d-r)! over the product of the knot differences.
+///         most 2^r d!/(d-r)! over the product of the knot differences.
 template <class Scalar>
 Scalar basis_derivative(std::span<const Scalar> knots, int degree, std::size_t i, const Scalar& t, int r) {
     if (r > degree) return Scalar(0);

@@ -39,8 +39,20 @@ struct Spline {
 
 /// The interval of t: the largest s with k_s <= t, within those of the domain that are not empty.  Beyond the
 /// domain it is the first or last of them, so that evaluation goes on along the polynomials at the ends.
+///
+/// Cost    a binary search; a subtraction where the knots are one apart and Scalar is a built-in type.
 template <CurvePoint P>
 std::size_t span_of(const Spline<P>& c, const ScalarOf<P>& t) {
+    if constexpr (std::floating_point<ScalarOf<P>>) {
+        if (c.one_apart) {
+            const std::size_t d = static_cast<std::size_t>(c.degree), last = c.points.size() - 1;
+            const ScalarOf<P> steps = t - c.knots[d];
+            if (!(steps >= 1)) return d;
+            const std::size_t s =
+                steps < static_cast<ScalarOf<P>>(last - d) ? d + static_cast<std::size_t>(steps) : last;
+            return t < c.knots[s] ? s - 1 : s;  // the difference may have been rounded up to s - d
+        }
+    }
     const auto begin = c.knots.begin() + c.degree + 1, end = c.knots.begin() + c.points.size();
     auto s = std::upper_bound(begin, end, t) - c.knots.begin() - 1;
     while (c.knots[s] == c.knots[s + 1]) --s;

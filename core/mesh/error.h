@@ -30,7 +30,7 @@ enum class ErrorCode : std::uint8_t {
     DuplicateFace,        ///< two faces with the same three vertices and the same winding
     TooFewPoints,         ///< fewer control points than a curve of this kind needs
     BadKnots,             ///< knots that no continuous curve can have
-    OutsideDomain,        ///< a parameter is outside its triangle
+    OutsideDomain,        ///< a parameter is outside its triangle or curve
     NoLimitSurface,       ///< a face that has no limit surface: a hole, or one at a boundary without rule
     Unsupported,          ///< a subject or a file format has no way to express this
     OutOfMemory,          ///< the work would need more memory than there is

@@ -117,8 +117,8 @@ TEST(Layers, HoldInEverySource) {
 }
 
 TEST(Layers, AreReadFromEveryRoomThatMatters) {
-    for (const std::string folder :
-         {"core/mesh", "core/loop", "reference/opensubdiv", "reference/openmesh", "compare"})
+    for (const std::string folder : {"core/mesh", "core/loop", "core/bspline", "reference/opensubdiv",
+                                     "reference/openmesh", "reference/boost_math", "compare"})
         EXPECT_GE(sources(folder).size(), 2u) << folder;
 }
 
