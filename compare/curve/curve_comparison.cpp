@@ -11,6 +11,7 @@
 #include "core/bspline/running_error.h"
 #include "core/mesh/high_precision.h"
 #include "core/mesh/point.h"
+#include "reference/boost_math/cardinal.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -102,10 +103,28 @@ double limit_error(const core::Curve<HighPoint>& level, const std::vector<HighPr
     return out;
 }
 
-EvaluationStats evaluation_stats(const DoubleCurve& curve, core::Evaluation method,
+std::string_view name(core::Evaluation method) {
+    switch (method) {
+        case core::Evaluation::AllPoints:
+            return "all control points";
+        case core::Evaluation::Local:
+            return "localised";
+        case core::Evaluation::DeBoor:
+            return "de Boor";
+    }
+    return "unknown";
+}
+
+void add_sample(EvaluationStats& stats, const glm::dvec3& p, double t, const Oracle& oracle, double bound) {
+    const double error = largest(distance_from(p, core::evaluate(oracle.spline, HighPrecision(t))));
+    ++stats.samples;
+    stats.error = std::max(stats.error, error);
+    stats.bound_use = std::max(stats.bound_use, use_of(error, bound));
+}
+
+EvaluationStats evaluation_stats(const core::Spline<glm::dvec3>& spline, core::Evaluation method,
                                  const std::vector<double>& parameters, const Oracle& oracle, double M) {
-    EvaluationStats out{.method = method};
-    const auto spline = core::spline_of(curve);
+    EvaluationStats out{.method = std::string(name(method))};
     const double bound = core::rounding_of(core::evaluation_roundings(spline.degree), Precision::Double) * M;
     const auto cost =
         method == core::Evaluation::AllPoints ? static_cast<std::int64_t>(spline.points.size()) : 1;
@@ -113,12 +132,35 @@ EvaluationStats evaluation_stats(const DoubleCurve& curve, core::Evaluation meth
     const auto stride = static_cast<std::size_t>(1 + in_all * cost / kMostBasisEvaluations);
     for (std::size_t i = 0; i < parameters.size(); i += stride) {
         const double t = parameters[i];
-        const glm::dvec3 p = core::evaluate(spline, t, {method, &out.basis_evaluations});
-        const double error = largest(distance_from(p, core::evaluate(oracle.spline, HighPrecision(t))));
-        ++out.samples;
-        out.error = std::max(out.error, error);
-        out.bound_use = std::max(out.bound_use, use_of(error, bound));
+        add_sample(out, core::evaluate(spline, t, {method, &out.basis_evaluations}), t, oracle, bound);
     }
+    return out;
+}
+
+// Nothing where Boost does not have the degree.
+std::optional<EvaluationStats> boost_stats(const DoubleCurve& curve, const core::Spline<glm::dvec3>& spline,
+                                           const std::vector<double>& parameters, const Oracle& oracle,
+                                           double M) {
+    const auto points = reference::boost_curve_points<glm::dvec3>(
+        spline.degree, spline.points, -core::phantom_count(curve.shape()), parameters);
+    if (!points) return std::nullopt;
+    EvaluationStats out{.method = "Boost.Math " + reference::boost_version()};
+    out.basis_evaluations = static_cast<std::int64_t>(parameters.size()) * (spline.degree + 1);
+    const double bound =
+        core::rounding_of(reference::boost_curve_roundings(spline.degree), Precision::Double) * M;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        add_sample(out, (*points)[i], parameters[i], oracle, bound);
+    return out;
+}
+
+std::vector<EvaluationStats> all_evaluations(const DoubleCurve& curve, const std::vector<double>& parameters,
+                                             const Oracle& oracle, double M) {
+    const auto spline = core::spline_of(curve);
+    std::vector<EvaluationStats> out;
+    for (const auto method : {core::Evaluation::AllPoints, core::Evaluation::Local, core::Evaluation::DeBoor})
+        out.push_back(evaluation_stats(spline, method, parameters, oracle, M));
+    if (!spline.one_apart) return out;
+    if (auto boost = boost_stats(curve, spline, parameters, oracle, M)) out.push_back(std::move(*boost));
     return out;
 }
 
@@ -147,7 +189,9 @@ void judge(CurveComparison& c) {
             blame(fmt::format("Limits of level {} are not on the curve.", p.level));
     }
     for (const EvaluationStats& e : c.evaluations)
-        if (!(e.bound_use <= 1)) blame("Evaluation is farther from 38 digits than rounding explains.");
+        if (!(e.bound_use <= 1))
+            blame(
+                fmt::format("Evaluation by {} is farther from 38 digits than rounding explains.", e.method));
 }
 
 // Our subdivision in the precision of a subject, with a bound for both.
@@ -250,13 +294,9 @@ CurveComparison compare_curve(const DoubleCurve& curve, int levels, const CurveP
             limit_error(*level, exact[l].parameters, oracle, stride) /
             std::max(out.largest_coordinate, std::numeric_limits<double>::min());
     }
-    const auto parameters = samples_of(curve, out.levels.back());
-    for (const auto method :
-         {core::Evaluation::AllPoints, core::Evaluation::Local, core::Evaluation::DeBoor}) {
-        progress("evaluation");
-        out.evaluations.push_back(
-            evaluation_stats(curve, method, parameters, oracle, out.largest_coordinate));
-    }
+    progress("evaluation");
+    out.evaluations =
+        all_evaluations(curve, samples_of(curve, out.levels.back()), oracle, out.largest_coordinate);
     judge(out);
     return out;
 }

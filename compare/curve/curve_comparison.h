@@ -27,13 +27,13 @@ struct PolygonStats {
         {};  ///< largest |limit of c_i - P(t_i)| in 38 digits, over M; uniform knots
 };
 
-/// One way of evaluation in double, at parameters of the last level.
+/// One way of evaluation in double, at parameters of the last level: ours, and Boost.Math's basis functions.
 struct EvaluationStats {
-    core::Evaluation method = core::Evaluation::DeBoor;
+    std::string method;
     std::size_t samples = 0;
     std::int64_t basis_evaluations = 0;
     double error = 0;      ///< largest coordinate of |ours - exact|
-    double bound_use = 0;  ///< of evaluation_roundings
+    double bound_use = 0;  ///< of the roundings that the method may make
 };
 
 struct CarriedLevel {

@@ -27,20 +27,8 @@ Json json_of(const PolygonStats& p) {
             {"limit_error", json_of(p.limit_error)}};
 }
 
-std::string_view method_name(core::Evaluation method) {
-    switch (method) {
-        case core::Evaluation::AllPoints:
-            return "all-points";
-        case core::Evaluation::Local:
-            return "local";
-        case core::Evaluation::DeBoor:
-            return "de-boor";
-    }
-    return "unknown";
-}
-
 Json json_of(const EvaluationStats& e) {
-    return {{"method", method_name(e.method)},
+    return {{"method", e.method},
             {"samples", e.samples},
             {"basis_evaluations", e.basis_evaluations},
             {"error", e.error},

@@ -39,25 +39,12 @@ std::string polygon_table(const CurveComparison& c) {
     return out;
 }
 
-std::string_view name(core::Evaluation method) {
-    switch (method) {
-        case core::Evaluation::AllPoints:
-            return "all control points";
-        case core::Evaluation::Local:
-            return "localised";
-        case core::Evaluation::DeBoor:
-            return "de Boor";
-    }
-    return "unknown";
-}
-
 std::string evaluation_table(const CurveComparison& c) {
     std::vector<std::vector<std::string>> rows{
         {"evaluation", "parameters", "basis evaluations", "ours-exact", "bound used"}};
     for (const EvaluationStats& e : c.evaluations)
-        rows.push_back({std::string(name(e.method)), fmt::format("{}", e.samples),
-                        fmt::format("{}", e.basis_evaluations), number_cell(e.error / c.unit()),
-                        fmt::format("{:.2f}", e.bound_use)});
+        rows.push_back({e.method, fmt::format("{}", e.samples), fmt::format("{}", e.basis_evaluations),
+                        number_cell(e.error / c.unit()), fmt::format("{:.2f}", e.bound_use)});
     return "\n" + table(rows);
 }
 
