@@ -43,8 +43,8 @@ struct CatmullClark {
 ///
 /// Errors   EmptyMesh; IndexOutOfRange, RepeatedVertex (with the face); NotFinite (with the vertex: NaN, or
 ///          beyond half the range of the precision); Unsupported (a face that is no quad, creases, corners or
-///          holes, a valence above 65 535, levels below 0 or above kOpensubdivMaxLevels); SubjectFailed (with
-///          OpenSubdiv's own message).
+///          holes, more than 32 767 faces at a vertex, levels below 0 or above kOpensubdivMaxLevels);
+///          SubjectFailed (with OpenSubdiv's own message).
 core::Result<CatmullClark> opensubdiv_catmull_clark(const core::MeshData& data, core::BoundaryRule boundary,
                                                     int levels, core::Precision precision);
 
