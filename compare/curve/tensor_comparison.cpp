@@ -79,28 +79,25 @@ double distance(const dvec3& p, const ExactPoint& exact) {
     return out;
 }
 
-// --- Ours, in either precision ---
-
 struct OurLevel {
     Grid<dvec3> positions, limits, du, dv;
 };
 
 template <class Real>
-std::vector<OurLevel> our_levels(const Grid<dvec3>& grid, const core::SurfaceShape& shape,
-                                 std::size_t count) {
-    using P = core::Point<Real>;
-    auto surface = core::TensorSurface<P>::make(converted<Real>(grid), shape).value();
+core::Result<std::vector<OurLevel>> our_levels(const Grid<dvec3>& grid, const core::SurfaceShape& shape,
+                                               std::size_t count) {
+    auto surface = core::TensorSurface<core::Point<Real>>::make(converted<Real>(grid), shape);
     std::vector<OurLevel> out;
-    while (true) {
-        const auto limits = core::limits(surface).value();
-        out.push_back({converted<double>(surface.grid()), converted<double>(limits.positions),
+    for (std::size_t level = 0; surface && level < count; ++level) {
+        if (level > 0) surface = core::subdivide(*surface);
+        if (!surface) break;
+        const auto limits = core::limits(*surface).value();
+        out.push_back({converted<double>(surface->grid()), converted<double>(limits.positions),
                        converted<double>(limits.du), converted<double>(limits.dv)});
-        if (out.size() == count) return out;
-        surface = core::subdivide(surface).value();
     }
+    if (!surface) return tl::unexpected(surface.error());
+    return out;
 }
-
-// --- The exact surface ---
 
 // The vertices of all levels, by subdivision in 38 digits and by evaluation of level 0.
 class ExactSurface {
@@ -146,8 +143,6 @@ class ExactSurface {
     std::vector<core::BasisAt<HighPrecision>> along_u_, along_v_;
     int level_ = 0;
 };
-
-// --- Which vertex is which ---
 
 struct GridPlace {
     std::size_t i = 0, j = 0;
@@ -210,8 +205,6 @@ std::optional<std::vector<GridPlace>> child_places(const std::vector<reference::
     }
     return out;
 }
-
-// --- The comparison of a level ---
 
 struct Bounds {
     double position = 0, limit = 0, tangent = 0;
@@ -279,6 +272,7 @@ bool shapes_match(const reference::CatmullClarkLevel& theirs, std::size_t count)
            theirs.limit.tangent1.size() == count && theirs.limit.tangent2.size() == count;
 }
 
+// The first difference that rounding does not explain.
 void judge(TensorComparison& out) {
     for (const TensorLevel& level : out.levels) {
         const std::pair<const char*, const TensorMeasure*> measures[] = {{"positions", &level.position},
@@ -334,32 +328,32 @@ core::Result<TensorComparison> compare_tensor(const Grid<dvec3>& given, Ends u, 
     const core::SurfaceShape shape = bicubic(u, v);
     if (auto error = check_ends(u, v)) return tl::unexpected(*error);
     const Grid<dvec3> grid = rounded_to(given, theirs.precision);
-    const auto checked = core::TensorSurface<dvec3>::make(grid, shape);
-    if (!checked) return tl::unexpected(checked.error());
-    const auto ours = theirs.precision == Precision::Float
-                          ? our_levels<float>(grid, shape, theirs.levels.size())
-                          : our_levels<double>(grid, shape, theirs.levels.size());
+    const std::size_t levels = theirs.levels.size();
+    const auto ours = theirs.precision == Precision::Float ? our_levels<float>(grid, shape, levels)
+                                                           : our_levels<double>(grid, shape, levels);
+    if (!ours) return tl::unexpected(ours.error());
     ExactSurface exact(grid, shape);
     const double largest = largest_coordinate(grid);
     TensorComparison out;
+    if (levels == 0) out = {Verdict::Failed, "There is no level.", {}};
     std::vector<GridPlace> places;
     for (std::size_t k = 0; k < grid.points.size(); ++k)
         places.push_back({k / grid.columns, k % grid.columns});
-    for (std::size_t l = 0; l < ours.size(); ++l) {
+    for (std::size_t l = 0; l < levels; ++l) {
+        const OurLevel& our = (*ours)[l];
         if (l > 0) {
             exact.go_to_next_level();
-            auto next = child_places(theirs.levels[l].ancestors, places, ours[l - 1].positions,
-                                     ours[l].positions, shape);
+            auto next = child_places(theirs.levels[l].ancestors, places, (*ours)[l - 1].positions,
+                                     our.positions, shape);
             places = next ? std::move(*next) : std::vector<GridPlace>{};
         }
-        if (places.size() != ours[l].positions.points.size() ||
-            !shapes_match(theirs.levels[l], places.size())) {
+        if (places.size() != our.positions.points.size() || !shapes_match(theirs.levels[l], places.size())) {
             out.verdict = Verdict::Failed;
             out.note = fmt::format("The vertices of level {} are not those of the refined grid.", l);
             return out;
         }
-        out.levels.push_back(compare_level(static_cast<int>(l), ours[l], theirs.levels[l], places, exact,
-                                           largest, theirs.precision));
+        out.levels.push_back(compare_level(static_cast<int>(l), our, theirs.levels[l], places, exact, largest,
+                                           theirs.precision));
     }
     judge(out);
     return out;
@@ -367,8 +361,9 @@ core::Result<TensorComparison> compare_tensor(const Grid<dvec3>& given, Ends u, 
 
 core::Result<TensorComparison> compare_tensor(const Grid<dvec3>& grid, const TensorCase& what) {
     if (auto error = check_ends(what.u, what.v)) return tl::unexpected(*error);
-    const auto checked = core::TensorSurface<dvec3>::make(grid, bicubic(what.u, what.v));
-    if (!checked) return tl::unexpected(checked.error());
+    if (auto error =
+            core::check_surface(bicubic(what.u, what.v), grid.rows, grid.columns, grid.points.size()))
+        return tl::unexpected(*error);
     const auto theirs = reference::opensubdiv_catmull_clark(quad_mesh(grid, what.u, what.v), what.boundary,
                                                             what.levels, what.precision);
     if (!theirs) return tl::unexpected(theirs.error());
