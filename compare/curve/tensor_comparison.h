@@ -86,8 +86,9 @@ double tangent_bound(double largest, double before, double growth, core::Precisi
 /// the vertex's parameters.
 ///
 /// With EdgeAndCorner they are the same surface: inside, at boundaries and at corners, in position, limit and
-/// tangent plane.  EdgeOnly is the same where no vertex has just one face; else OpenSubdiv moves the corner
-/// to (6 c + a + b)/8, a and b the neighbours on the rim, where a natural end keeps c.
+/// tangent plane.  OpenSubdiv's tangents are the derivatives, 12 times as long inside and as long at the rim.
+/// EdgeOnly is the same where no vertex has just one face; else OpenSubdiv moves a corner c to
+/// (6 c + a + b)/8, a and b its neighbours, where a natural end keeps it.
 ///
 /// Errors   those of `TensorSurface::make` and `opensubdiv_catmull_clark`; Unsupported where an end is Open
 /// or

@@ -169,24 +169,31 @@ TEST(TensorComparison, OpensubdivsTangentsAreTheDerivativesTwelveTimesInsideAndO
     seen.check();
 }
 
-// A named difference: a natural end keeps the corner, a crease that runs through it does not.
+// A named difference: a natural end keeps a corner c with the neighbours a and b; a crease that runs through
+// it moves it by (a + b - 2 c)/8, and its limit by (a + b - 2 c)/6.  The plane of OpenSubdiv's tangents
+// there, (a - b)/2 and 3 (a + b - 2 c), is still that of a - c and b - c.
 TEST(TensorComparison, EdgeOnlyMovesTheCornersOfAnOpenGridAsPredicted) {
     const Grid<dvec3> grid = random_grid(4, 5, 5);
     const auto seen =
         value_of(compare_tensor(grid, TensorCase{.levels = 1, .boundary = BoundaryRule::EdgeOnly}));
     EXPECT_EQ(seen.verdict, Verdict::Differs);
+    ASSERT_EQ(seen.levels.size(), 2U);
     double moved = 0;
     for (const std::size_t i : {0U, 3U})
         for (const std::size_t j : {0U, 4U}) {
             const dvec3 a = grid.at(i, j == 0 ? 1 : 3), b = grid.at(i == 0 ? 1 : 2, j), c = grid.at(i, j);
-            moved = std::max(moved, core::magnitude((a + b - 2.0 * c) / 8.0));
+            moved = std::max(moved, core::magnitude(a + b - 2.0 * c));
         }
-    ASSERT_EQ(seen.levels.size(), 2U);
+    const auto check = [](const std::string& what, const TensorMeasure& measure, double predicted) {
+        Observed difference(what, "level", measure.ours_bound + measure.opensubdiv_bound);
+        difference.add(std::abs(measure.difference - predicted), 1, measure.difference, predicted);
+        difference.check();
+    };
     EXPECT_EQ(seen.levels[0].position.difference, 0);
-    const auto& level = seen.levels[1].position;
-    Observed difference("corners moved", "level", level.ours_bound + level.opensubdiv_bound);
-    difference.add(std::abs(level.difference - moved), 1, level.difference, moved);
-    difference.check();
+    check("corners moved", seen.levels[1].position, moved / 8);
+    check("limits of corners moved", seen.levels[0].limit, moved / 6);
+    EXPECT_EQ(seen.levels[0].normals, 20U);
+    EXPECT_LE(seen.levels[0].normal.bound_use, 1);
 }
 
 TEST(TensorComparison, EdgeOnlyIsTheSameWhereThereAreNoCorners) {
