@@ -170,8 +170,7 @@ std::optional<GridPlace> child_place(const reference::QuadAncestor& ancestor,
         if (std::find(from.begin(), from.end(), parents[v]) != from.end()) return std::nullopt;
         from.push_back(parents[v]);
     }
-    // The two rows and two columns, those of the first and any others: a third one has no place in the
-    // product.
+    // The row and column of the first, and any others; a third has no place in their product.
     GridPlace other = from[0];
     for (const GridPlace& place : from) {
         if (place.i != from[0].i) other.i = place.i;

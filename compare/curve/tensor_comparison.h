@@ -34,8 +34,7 @@ struct TensorLevel {
     int level = 0;
     std::size_t vertices = 0;
     TensorMeasure position, limit, normal;
-    std::size_t normals =
-        0;  ///< that were compared; the others are undetermined: rounding alone could turn them
+    std::size_t normals = 0;  ///< that were compared: rounding alone could turn the others anywhere
 };
 
 struct TensorComparison {
@@ -47,9 +46,9 @@ struct TensorComparison {
 /// The grid as quads: vertex i columns + j is point (i, j), and du x dv points out of the faces.
 core::MeshData quad_mesh(const core::Grid<glm::dvec3>& grid, core::Ends u, core::Ends v);
 
-/// Roundings a level of OpenSubdiv's masks: three of a face point's four terms, and eight of the nine of a
-/// vertex point, whose first term is a face point.  Their weights are powers of two; on creases 3/4, with
-/// two.
+/// Roundings a level of OpenSubdiv's masks: three in a face point, a sum of four, and eight in a vertex
+/// point, a sum of nine that begins with a face point.  Their weights are powers of two.  On creases, with
+/// 3/4, two.
 inline constexpr int kCatmullClarkStepRoundings = 11;
 
 /// Error of a position at a level by rounding, M being the largest |coordinate| of the grid, k the roundings
@@ -62,8 +61,9 @@ inline constexpr int kCatmullClarkStepRoundings = 11;
 ///         which may lose t / 2 to underflow, and what was lost before is averaged.
 double position_bound(double largest, int level, int roundings, core::Precision precision);
 
-/// Error of a limit position whose level is off by `before`:  before + growth rounding_of(k) (M + before) + 8
-/// t.
+/// Error of a limit position whose level is off by `before`:
+///
+///     before + growth rounding_of(k) (M + before) + 8 t
 ///
 /// Proof   The mask is one of averages, so what was off before is averaged.  OpenSubdiv adds up nine products
 ///         of weights rounded once, in float twice: k = 11, growth 1.  Ours are two masks one after the other
@@ -71,8 +71,10 @@ double position_bound(double largest, int level, int roundings, core::Precision 
 ///         and the absolute values sum to 3/6 + 4/6 + 1/6 = 4/3 each, growth 16/9.
 double limit_bound(double largest, double before, double growth, int roundings, core::Precision precision);
 
-/// Error of a coordinate of a tangent:  2 before + growth rounding_of(10) (M + before) + 8 t, in units in
-/// which the tangent is the derivative with respect to the parameter of its level.
+/// Error of a coordinate of a tangent, in units in which it is the derivative with respect to the parameter
+/// of its level:
+///
+///     2 before + growth rounding_of(10) (M + before) + 8 t
 ///
 /// Proof   The longest mask is c_1 - c_0, at an end: 2.  Ours see it as -(2 c_0 - c_1)/2 + c_1/2 times the
 ///         other direction's 4/3: growth 8/3.  OpenSubdiv's are in these units but for a factor 12 inside:
@@ -90,9 +92,8 @@ double tangent_bound(double largest, double before, double growth, core::Precisi
 /// EdgeOnly is the same where no vertex has just one face; else OpenSubdiv moves a corner c to
 /// (6 c + a + b)/8, a and b its neighbours, where a natural end keeps it.
 ///
-/// Errors   those of `TensorSurface::make` and `opensubdiv_catmull_clark`; Unsupported where an end is Open
-/// or
-///          Clamped.
+/// Errors   those of `TensorSurface::make` and `opensubdiv_catmull_clark`; Unsupported where an
+///          end is Open or Clamped.
 core::Result<TensorComparison> compare_tensor(const core::Grid<glm::dvec3>& grid, const TensorCase& what);
 
 /// The same with a refinement made before, of this grid; its precision is that of ours.
