@@ -37,19 +37,13 @@ std::size_t fewest_points(const CurveShape& shape) {
     return count;
 }
 
-// Whole numbers, so that every precision has the same grid: irregular, of both signs.
-template <class P>
-Grid<P> random_grid(std::size_t rows, std::size_t columns, std::uint32_t seed = 1) {
-    using Scalar = ScalarOf<P>;
-    std::mt19937 random(seed);
-    const auto coordinate = [&] { return Scalar(static_cast<int>(random() % 2001) - 1000); };
-    Grid<P> out{rows, columns, {}};
-    for (std::size_t k = 0; k < rows * columns; ++k) {
-        if constexpr (std::is_same_v<P, Scalar>)
-            out.points.push_back(coordinate());
-        else
-            out.points.push_back({coordinate(), coordinate(), coordinate()});
-    }
+// Whole numbers of both signs.
+template <class Scalar>
+Grid<Scalar> random_grid(std::size_t rows, std::size_t columns) {
+    std::mt19937 random(1);
+    Grid<Scalar> out{rows, columns, {}};
+    for (std::size_t k = 0; k < rows * columns; ++k)
+        out.points.push_back(Scalar(static_cast<int>(random() % 2001) - 1000));
     return out;
 }
 
@@ -60,11 +54,32 @@ TensorSurface<P> surface_of(Grid<P> grid, const SurfaceShape& shape) {
     return std::move(*made);
 }
 
-// The smallest grid of a shape, or one that is some larger.
-template <class P>
-TensorSurface<P> random_surface(const SurfaceShape& shape, std::size_t larger, std::uint32_t seed = 1) {
-    return surface_of(
-        random_grid<P>(fewest_points(shape.v) + larger, fewest_points(shape.u) + 2 * larger, seed), shape);
+// Over the smallest grid of a shape, or one that is some larger.
+template <class Scalar>
+TensorSurface<Scalar> random_surface(const SurfaceShape& shape, std::size_t larger) {
+    const std::size_t rows = fewest_points(shape.v) + larger, columns = fewest_points(shape.u) + 2 * larger;
+    return surface_of(random_grid<Scalar>(rows, columns), shape);
+}
+
+// One of coordinates whose last bits are as random as the first, and the same in 38 digits.
+template <class Real>
+struct Uneven {
+    TensorSurface<Point<Real>> rounded;
+    TensorSurface<Point<HighPrecision>> exact;
+};
+template <class Real>
+Uneven<Real> uneven_surface(const SurfaceShape& shape, std::size_t larger) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> coordinate(-1000, 1000);
+    Grid<Point<Real>> grid{fewest_points(shape.v) + larger, fewest_points(shape.u) + 2 * larger, {}};
+    for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
+        const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+        grid.points.emplace_back(x, y, z);
+    }
+    return {surface_of(grid, shape),
+            surface_of(Grid<Point<HighPrecision>>{grid.rows, grid.columns,
+                                                  convert_points<HighPrecision>(grid.points)},
+                       shape)};
 }
 
 // Parameters of the whole domain, its ends and knots among them.
@@ -173,8 +188,7 @@ template <class Real>
 void check_rounding(Precision precision) {
     for (const SurfaceShape& shape :
          {SurfaceShape{kNatural, kNatural}, {kNatural, kClosed}, {kClosed, kClosed}}) {
-        auto rounded = random_surface<glm::vec<3, Real>>(shape, 3);
-        auto exact = random_surface<Point<HighPrecision>>(shape, 3);
+        auto [rounded, exact] = uneven_surface<Real>(shape, 3);
         for (int k = 1; k <= 5; ++k) {
             rounded = *subdivide(rounded);
             exact = *subdivide(exact);
@@ -336,8 +350,9 @@ TEST(TensorEvaluate, IsClosedWhereTheShapeIs) {
 // Against 38 digits, every derivative within its own bound.
 template <class Real>
 void check_evaluation(const SurfaceShape& shape, Precision precision) {
-    const auto rounded = spline_of(random_surface<glm::vec<3, Real>>(shape, 2));
-    const auto exact = spline_of(random_surface<Point<HighPrecision>>(shape, 2));
+    const auto surface = uneven_surface<Real>(shape, 2);
+    const auto rounded = spline_of(surface.rounded);
+    const auto exact = spline_of(surface.exact);
     double largest = 0;
     for (const auto& p : rounded.points.points) largest = std::max(largest, double{magnitude(p)});
     constexpr std::array<std::array<int, 2>, 6> kOrders{{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
@@ -405,10 +420,11 @@ TEST(TensorLimits, AreThoseOfTheVertexPointsOfTheNextLevel) {
 TEST(TensorLimits, StayWithinTheirRoundings) {
     for (const SurfaceShape& shape : kShapes) {
         if (shape.u.degree < 2) continue;
-        const auto rounded = *limits(random_surface<glm::dvec3>(shape, 2));
-        const auto exact = *limits(random_surface<Point<HighPrecision>>(shape, 2));
+        const auto surface = uneven_surface<double>(shape, 2);
+        const auto rounded = *limits(surface.rounded);
+        const auto exact = *limits(surface.exact);
         double largest = 0;
-        for (const auto& p : spline_of(random_surface<glm::dvec3>(shape, 2)).points.points)
+        for (const auto& p : spline_of(surface.rounded).points.points)
             largest = std::max(largest, magnitude(p));
         const int roundings = 2 * (shape.u.degree / 2 + shape.v.degree / 2) + 6;
         Observed seen("limits", "point", rounding_of(roundings, Precision::Double) * largest);
