@@ -88,7 +88,8 @@ double tangent_bound(double largest, double before, double growth, core::Precisi
 /// the vertex's parameters.
 ///
 /// With EdgeAndCorner they are the same surface: inside, at boundaries and at corners, in position, limit and
-/// tangent plane.  OpenSubdiv's tangents are the derivatives, 12 times as long inside and as long at the rim.
+/// tangent plane.  OpenSubdiv's tangents are the derivatives, 12 times as long inside and as long at the rim:
+/// a grid has no irregular vertex, and at regular ones its masks are right.
 /// EdgeOnly is the same where no vertex has just one face; else OpenSubdiv moves a corner c to
 /// (6 c + a + b)/8, a and b its neighbours, where a natural end keeps it.
 ///
