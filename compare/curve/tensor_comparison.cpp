@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "compare/curve/grid_places.h"
 #include "compare/limit/plane.h"
 #include "core/mesh/rounding.h"
 
@@ -144,67 +145,6 @@ class ExactSurface {
     int level_ = 0;
 };
 
-struct GridPlace {
-    std::size_t i = 0, j = 0;
-
-    bool operator==(const GridPlace&) const = default;
-};
-
-// The place between two of a direction with n places, or twice the place where they are one.
-std::optional<std::size_t> between(std::size_t a, std::size_t b, std::size_t n, Ends ends) {
-    if (a > b) std::swap(a, b);
-    if (b - a <= 1) return a + b;
-    if (ends == Ends::Closed && a == 0 && b == n - 1) return 2 * n - 1;
-    return std::nullopt;
-}
-
-// The place of a vertex from those of its parents: they are one, or two neighbours, or the corners of a face.
-std::optional<GridPlace> child_place(const reference::QuadAncestor& ancestor,
-                                     const std::vector<GridPlace>& parents, const Grid<dvec3>& parent_grid,
-                                     const core::SurfaceShape& shape) {
-    if (ancestor.count != 1 && ancestor.count != 2 && ancestor.count != 4) return std::nullopt;
-    std::vector<GridPlace> from;
-    for (std::size_t k = 0; k < ancestor.count; ++k) {
-        const Index v = ancestor.vertices[k];
-        if (v < 0 || static_cast<std::size_t>(v) >= parents.size()) return std::nullopt;
-        if (std::find(from.begin(), from.end(), parents[v]) != from.end()) return std::nullopt;
-        from.push_back(parents[v]);
-    }
-    // The row and column of the first, and any others; a third has no place in their product.
-    GridPlace other = from[0];
-    for (const GridPlace& place : from) {
-        if (place.i != from[0].i) other.i = place.i;
-        if (place.j != from[0].j) other.j = place.j;
-    }
-    for (const GridPlace& place : from)
-        if ((place.i != from[0].i && place.i != other.i) || (place.j != from[0].j && place.j != other.j))
-            return std::nullopt;
-    const std::size_t product = (other.i == from[0].i ? 1U : 2U) * (other.j == from[0].j ? 1U : 2U);
-    const auto i = between(from[0].i, other.i, parent_grid.rows, shape.v.ends);
-    const auto j = between(from[0].j, other.j, parent_grid.columns, shape.u.ends);
-    if (product != from.size() || !i || !j) return std::nullopt;
-    return GridPlace{*i, *j};
-}
-
-// Every place of the level once, or nothing.
-std::optional<std::vector<GridPlace>> child_places(const std::vector<reference::QuadAncestor>& ancestors,
-                                                   const std::vector<GridPlace>& parents,
-                                                   const Grid<dvec3>& parent_grid, const Grid<dvec3>& grid,
-                                                   const core::SurfaceShape& shape) {
-    if (ancestors.size() != grid.points.size()) return std::nullopt;
-    std::vector<GridPlace> out;
-    std::vector<bool> taken(grid.points.size(), false);
-    for (const auto& ancestor : ancestors) {
-        const auto place = child_place(ancestor, parents, parent_grid, shape);
-        if (!place) return std::nullopt;
-        const std::size_t index = place->i * grid.columns + place->j;
-        if (taken[index]) return std::nullopt;
-        taken[index] = true;
-        out.push_back(*place);
-    }
-    return out;
-}
-
 struct Bounds {
     double position = 0, limit = 0, tangent = 0;
 };
@@ -243,14 +183,14 @@ void add_normals(TensorLevel& out, const core::SurfacePoint<ExactPoint>& exact, 
 }
 
 TensorLevel compare_level(int level, const OurLevel& ours, const reference::CatmullClarkLevel& theirs,
-                          const std::vector<GridPlace>& places, const ExactSurface& exact, double largest,
+                          const GridPlaces& places, const ExactSurface& exact, double largest,
                           Precision precision) {
     const Bounds our = our_bounds(largest, level, precision), their = their_bounds(largest, level, precision);
     TensorLevel out;
     out.level = level;
-    out.vertices = places.size();
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const auto [i, j] = places[k];
+    out.vertices = places.of_vertex.size();
+    for (std::size_t k = 0; k < out.vertices; ++k) {
+        const auto [i, j] = places.of_vertex[k];
         const auto add_points = [](TensorMeasure& measure, const dvec3& a, const dvec3& b,
                                    const ExactPoint& e, double a_bound, double b_bound) {
             add(measure, core::magnitude(a - b), distance(a, e), distance(b, e), a_bound, b_bound);
@@ -266,7 +206,7 @@ TensorLevel compare_level(int level, const OurLevel& ours, const reference::Catm
     return out;
 }
 
-bool shapes_match(const reference::CatmullClarkLevel& theirs, std::size_t count) {
+bool sizes_match(const reference::CatmullClarkLevel& theirs, std::size_t count) {
     return theirs.positions.size() == count && theirs.limit.positions.size() == count &&
            theirs.limit.tangent1.size() == count && theirs.limit.tangent2.size() == count;
 }
@@ -335,24 +275,19 @@ core::Result<TensorComparison> compare_tensor(const Grid<dvec3>& given, Ends u, 
     const double largest = largest_coordinate(grid);
     TensorComparison out;
     if (levels == 0) out = {Verdict::Failed, "There is no level.", {}};
-    std::vector<GridPlace> places;
-    for (std::size_t k = 0; k < grid.points.size(); ++k)
-        places.push_back({k / grid.columns, k % grid.columns});
+    std::optional<GridPlaces> places = places_of_grid(grid.rows, grid.columns, u, v);
     for (std::size_t l = 0; l < levels; ++l) {
-        const OurLevel& our = (*ours)[l];
         if (l > 0) {
             exact.go_to_next_level();
-            auto next = child_places(theirs.levels[l].ancestors, places, (*ours)[l - 1].positions,
-                                     our.positions, shape);
-            places = next ? std::move(*next) : std::vector<GridPlace>{};
+            places = places_of_children(*places, theirs.levels[l].ancestors);
         }
-        if (places.size() != our.positions.points.size() || !shapes_match(theirs.levels[l], places.size())) {
+        if (!places || !sizes_match(theirs.levels[l], places->of_vertex.size())) {
             out.verdict = Verdict::Failed;
             out.note = fmt::format("The vertices of level {} are not those of the refined grid.", l);
             return out;
         }
-        out.levels.push_back(compare_level(static_cast<int>(l), our, theirs.levels[l], places, exact, largest,
-                                           theirs.precision));
+        out.levels.push_back(compare_level(static_cast<int>(l), (*ours)[l], theirs.levels[l], *places, exact,
+                                           largest, theirs.precision));
     }
     judge(out);
     return out;
