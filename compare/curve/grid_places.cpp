@@ -34,10 +34,10 @@ std::optional<GridPlace> child_place(const reference::QuadAncestor& ancestor, co
     for (const GridPlace& place : from)
         if ((place.i != from[0].i && place.i != other.i) || (place.j != from[0].j && place.j != other.j))
             return std::nullopt;
-    const std::size_t product = (other.i == from[0].i ? 1U : 2U) * (other.j == from[0].j ? 1U : 2U);
+    const std::size_t rows = other.i == from[0].i ? 1 : 2, columns = other.j == from[0].j ? 1 : 2;
     const auto i = between(from[0].i, other.i, parents.rows, parents.v);
     const auto j = between(from[0].j, other.j, parents.columns, parents.u);
-    if (product != from.size() || !i || !j) return std::nullopt;
+    if (rows * columns != from.size() || !i || !j) return std::nullopt;
     return GridPlace{*i, *j};
 }
 

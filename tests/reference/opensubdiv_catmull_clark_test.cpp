@@ -154,7 +154,7 @@ TEST(OpensubdivCatmullClark, FloatIsFloat) {
     EXPECT_EQ(floats.precision, Precision::Float);
     for (std::size_t k = 0; k < doubles.levels[1].positions.size(); ++k) {
         const double x = floats.levels[1].positions[k].x;
-        EXPECT_EQ(x, double{static_cast<float>(x)});
+        EXPECT_EQ(x, static_cast<double>(static_cast<float>(x)));
         EXPECT_NE(x, doubles.levels[1].positions[k].x);
     }
 }

@@ -354,7 +354,8 @@ void check_evaluation(const SurfaceShape& shape, Precision precision) {
     const auto rounded = spline_of(surface.rounded);
     const auto exact = spline_of(surface.exact);
     double largest = 0;
-    for (const auto& p : rounded.points.points) largest = std::max(largest, double{magnitude(p)});
+    for (const auto& p : rounded.points.points)
+        largest = std::max(largest, static_cast<double>(magnitude(p)));
     constexpr std::array<std::array<int, 2>, 6> kOrders{{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
     for (std::size_t d = 0; d < kOrders.size(); ++d) {
         const auto [ru, rv] = kOrders[d];
