@@ -74,6 +74,35 @@ Scalar basis_derivative(std::span<const Scalar> knots, int degree, std::size_t i
     return half(i) - half(i + 1);
 }
 
+/// The degree + 1 functions that the polynomials of interval s are made of, those of s - degree, ..., s, or
+/// their derivatives of order r: the two recursions above, all functions at once, from N_s,0 = 1 alone.
+///
+/// Unlike those, t at the end of the domain belongs to the interval before it, and so do derivatives there.
+///
+/// Range   0 <= degree <= kMaxDegree, degree <= s, k_s < k_(s+1); t in that interval, or beyond, where the
+///         polynomials go on.  Zero for r > degree.
+///
+/// Error   relative, at most kBasisRoundingsPerDegree * degree roundings for r = 0; else that of
+///         `basis_derivative`.
+template <class Scalar>
+std::array<Scalar, kMaxDegree + 1> interval_basis(std::span<const Scalar> knots, int degree, std::size_t s,
+                                                  const Scalar& t, int r) {
+    std::array<Scalar, kMaxDegree + 1> b{};
+    if (r > degree) return b;
+    b[0] = 1;
+    for (int d = 1; d <= degree; ++d)
+        for (int j = d; j >= 0; --j) {
+            // Function i of degree d, from i and i + 1 of the degree before: b[j - 1] and b[j].
+            const std::size_t i = s - static_cast<std::size_t>(d - j);
+            Scalar rise(0), fall(0);
+            if (j > 0) rise = b[j - 1] / (knots[i + d] - knots[i]);
+            if (j < d) fall = b[j] / (knots[i + d + 1] - knots[i + 1]);
+            b[j] = d > degree - r ? Scalar(d * (rise - fall))
+                                  : Scalar((t - knots[i]) * rise + (knots[i + d + 1] - t) * fall);
+        }
+    return b;
+}
+
 /// The uniform cubic, knots -2, -1, 0, 1, 2: with a = |x|,
 ///
 ///     N(x) = (4 - 6 a^2 + 3 a^3) / 6   for a < 1

@@ -169,10 +169,9 @@ std::string_view name(Precision precision) {
     return precision == Precision::Float ? "float" : "double";
 }
 
-std::optional<Error> check_fits(const TriangleMesh& mesh, Precision precision) {
+std::optional<Error> check_fits(std::span<const glm::dvec3> positions, Precision precision) {
     const double most = precision == Precision::Float ? double{std::numeric_limits<float>::max()} / 2
                                                       : std::numeric_limits<double>::max() / 2;
-    const auto positions = mesh.positions();
     for (std::size_t v = 0; v < positions.size(); ++v)
         for (int i = 0; i < 3; ++i)
             if (!(std::abs(positions[v][i]) <= most))
@@ -181,6 +180,10 @@ std::optional<Error> check_fits(const TriangleMesh& mesh, Precision precision) {
                                          "xyz"[i], positions[v][i], name(precision)),
                              {Place::Kind::Vertex, static_cast<Index>(v)}};
     return std::nullopt;
+}
+
+std::optional<Error> check_fits(const TriangleMesh& mesh, Precision precision) {
+    return check_fits(mesh.positions(), precision);
 }
 
 }  // namespace loopcheck::core

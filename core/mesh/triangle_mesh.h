@@ -61,6 +61,7 @@ std::string_view name(Precision precision);
 
 /// NotFinite, with the vertex, where a coordinate is beyond half the range of `precision`, so that a sum of
 /// weighted coordinates could overflow; else nothing.
+std::optional<Error> check_fits(std::span<const glm::dvec3> positions, Precision precision);
 std::optional<Error> check_fits(const TriangleMesh& mesh, Precision precision);
 
 /// Sharpness at and above which an edge or vertex is sharp for ever.

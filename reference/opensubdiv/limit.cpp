@@ -1,7 +1,6 @@
 #include "reference/opensubdiv/limit.h"
 
-#include <opensubdiv/far/primvarRefiner.h>
-
+#include <utility>
 #include <vector>
 
 #include "reference/opensubdiv/refiner.h"
@@ -12,32 +11,12 @@ namespace {
 using namespace internal;
 
 template <class Real>
-core::LimitLevel limit_of_last_level(const Far::PrimvarRefinerReal<Real>& primvars,
-                                     const std::vector<Value<Real>>& values) {
-    std::vector<Value<Real>> position(values.size()), tangent1(values.size()), tangent2(values.size());
-    primvars.Limit(values, position, tangent1, tangent2);
-    return {to_positions(position), to_positions(tangent1), to_positions(tangent2)};
-}
-
-// Limit() knows the last level only, so every level is the last of a refiner.  The values of the level before
-// are those of the refiner before.
-template <class Real>
 core::Result<core::Limits> limit_levels(const core::TriangleMesh& mesh, const Far::TopologyRefiner& base,
                                         int levels) {
     core::Limits out;
-    auto values = control_values<Real>(mesh);
-    for (int l = 0; l <= levels; ++l) {
-        const auto refiner = refined_uniformly(base, l);
-        if (!refiner) return tl::unexpected(refiner.error());
-        const Far::PrimvarRefinerReal<Real> primvars(**refiner);
-        if (l > 0) {
-            std::vector<Value<Real>> refined((*refiner)->GetLevel(l).GetNumVertices());
-            primvars.Interpolate(l, values, refined);
-            values = std::move(refined);
-        }
-        out.levels.push_back(limit_of_last_level(primvars, values));
-        if (!caught_messages().empty()) return failed(caught_messages());
-    }
+    const auto take = [&](const Far::TopologyRefiner&, const std::vector<Value<Real>>&,
+                          core::LimitLevel limit) { out.levels.push_back(std::move(limit)); };
+    if (auto error = visit_levels<Real>(mesh.positions(), base, levels, take)) return tl::unexpected(*error);
     return out;
 }
 

@@ -58,7 +58,7 @@ core::RefinedLevel take_topology(const Far::TopologyRefiner& refiner, int l) {
 template <class Real>
 core::Refinement refine_positions(const core::TriangleMesh& mesh, const Far::TopologyRefiner& refiner) {
     const Far::PrimvarRefinerReal<Real> primvars(refiner);
-    auto values = internal::control_values<Real>(mesh);
+    auto values = internal::control_values<Real>(mesh.positions());
     core::Refinement out;
     for (int l = 0; l <= refiner.GetMaxLevel(); ++l) {
         if (l > 0) {

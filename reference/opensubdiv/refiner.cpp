@@ -70,6 +70,15 @@ const std::string& caught_messages() {
     return messages;
 }
 
+core::Result<RefinerPtr> create_refiner(const Far::TopologyDescriptor& descriptor, Sdc::SchemeType scheme,
+                                        const core::SchemeOptions& options) {
+    Factory::Options factory_options(scheme, sdc_options(options));
+    factory_options.validateFullTopology = true;
+    RefinerPtr refiner(Factory::Create(descriptor, factory_options));
+    if (!refiner) return failed(caught_messages());
+    return refiner;
+}
+
 core::Result<RefinerPtr> make_refiner(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
                                       std::optional<FaceVaryingTopology> values) {
     const core::Topology& t = mesh.topology();
@@ -117,11 +126,7 @@ core::Result<RefinerPtr> make_refiner(const core::TriangleMesh& mesh, const core
         descriptor.fvarChannels = &channel;
     }
 
-    Factory::Options factory_options(Sdc::SCHEME_LOOP, sdc_options(options));
-    factory_options.validateFullTopology = true;
-    RefinerPtr refiner(Factory::Create(descriptor, factory_options));
-    if (!refiner) return failed(caught_messages());
-    return refiner;
+    return create_refiner(descriptor, Sdc::SCHEME_LOOP, options);
 }
 
 core::Result<RefinerPtr> refined_uniformly(const Far::TopologyRefiner& base, int levels) {

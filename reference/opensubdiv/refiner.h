@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefiner.h>
 
@@ -12,10 +13,12 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/error.h"
 #include "core/mesh/options.h"
+#include "core/mesh/surface.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace loopcheck::reference::internal {
@@ -48,6 +51,12 @@ std::invoke_result_t<Work> contained(Work work) {
         return failed(e.what());
     }
 }
+
+/// An unrefined refiner of a mesh described to OpenSubdiv, which checks its topology.
+///
+/// Errors   SubjectFailed.
+core::Result<RefinerPtr> create_refiner(const Far::TopologyDescriptor& descriptor, Sdc::SchemeType scheme,
+                                        const core::SchemeOptions& options);
 
 /// Values at the corners of faces: the three of each face, of `count` in all.
 struct FaceVaryingTopology {
@@ -83,10 +92,10 @@ struct Value {
 
 /// The control positions, rounded to Real.
 template <class Real>
-std::vector<Value<Real>> control_values(const core::TriangleMesh& mesh) {
+std::vector<Value<Real>> control_values(std::span<const glm::dvec3> positions) {
     std::vector<Value<Real>> out;
-    out.reserve(mesh.positions().size());
-    for (const auto& p : mesh.positions())
+    out.reserve(positions.size());
+    for (const auto& p : positions)
         out.push_back({static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
     return out;
 }
@@ -97,6 +106,40 @@ std::vector<glm::dvec3> to_positions(const std::vector<Value<Real>>& values) {
     out.reserve(values.size());
     for (const auto& v : values) out.emplace_back(v.x, v.y, v.z);
     return out;
+}
+
+/// Limit() of the last level of a refiner, whose values these are.
+template <class Real>
+core::LimitLevel limit_of_last_level(const Far::PrimvarRefinerReal<Real>& primvars,
+                                     const std::vector<Value<Real>>& values) {
+    std::vector<Value<Real>> position(values.size()), tangent1(values.size()), tangent2(values.size());
+    primvars.Limit(values, position, tangent1, tangent2);
+    return {to_positions(position), to_positions(tangent1), to_positions(tangent2)};
+}
+
+/// Calls visit(refiner, values, limit) for the levels 0 to `levels`: a refiner whose last level it is, the
+/// values there and their limit.  Limit() knows the last level only, so every level is the last of a refiner;
+/// the values of the level before are those of the refiner before.
+///
+/// Errors   SubjectFailed; whatever OpenSubdiv says is one.
+template <class Real, class Visit>
+std::optional<core::Error> visit_levels(std::span<const glm::dvec3> positions,
+                                        const Far::TopologyRefiner& base, int levels, Visit visit) {
+    auto values = control_values<Real>(positions);
+    for (int l = 0; l <= levels; ++l) {
+        const auto refiner = refined_uniformly(base, l);
+        if (!refiner) return refiner.error();
+        const Far::PrimvarRefinerReal<Real> primvars(**refiner);
+        if (l > 0) {
+            std::vector<Value<Real>> refined((*refiner)->GetLevel(l).GetNumVertices());
+            primvars.Interpolate(l, values, refined);
+            values = std::move(refined);
+        }
+        core::LimitLevel limit = limit_of_last_level(primvars, values);
+        if (!caught_messages().empty()) return failed(caught_messages()).value();
+        visit(**refiner, values, std::move(limit));
+    }
+    return std::nullopt;
 }
 
 }  // namespace loopcheck::reference::internal
