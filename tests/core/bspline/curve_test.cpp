@@ -304,8 +304,8 @@ TEST(Magnitude, IsTheLargestCoordinateAndNaNWhereOneIs) {
 TEST(Norm, DoesNotOverflowOnTheWay) {
     EXPECT_EQ(norm(-2.0), 2);
     EXPECT_EQ(norm(glm::dvec2(3, 4)), 5);
-    EXPECT_EQ(norm(glm::dvec2(3e200, 4e200)), 5e200);
-    EXPECT_EQ(norm(glm::vec2(3e-30F, 4e-30F)), 5e-30F);
+    EXPECT_EQ(norm(glm::dvec2(0x3p600, 0x4p600)), 0x5p600);
+    EXPECT_EQ(norm(glm::vec2(0x3p-100F, 0x4p-100F)), 0x5p-100F);
     EXPECT_TRUE(std::isfinite(norm(glm::dvec3(1e308 / 2))));
 }
 
