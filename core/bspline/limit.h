@@ -14,8 +14,8 @@ namespace loopcheck::core {
 ///     degree 3: (1, 4, 1)/6, (-1, 0, 1)/2 and (1, -2, 1);  2: (1, 6, 1)/8;  5: (1, 26, 66, 26, 1)/120
 ///
 /// Source  basis functions at whole numbers.
-/// Laws    1. sums to 1, or 0 for r > 0; 2. at a knot where the derivative jumps it is that of the right
-/// side.
+/// Range   0 <= r < degree: the derivative of order `degree` jumps.
+/// Laws    1. sums to 1, or 0 for r > 0; 2. symmetric for even r, its sign turned for odd r.
 std::vector<Rational> limit_mask(int degree, int r);
 
 /// Where the control points from `first` on go: those that have a limit, and the derivative of the curve
@@ -28,14 +28,13 @@ struct CurveLimits {
 };
 
 /// Every control point of a Natural or Closed curve has a limit; of an Open one, those in its domain.  At a
-/// natural end it is the point itself, with the tangent along the polygon.
+/// natural end it is the point itself; for cubics with the tangent along the polygon.
 ///
 /// Range   not Clamped, and degree >= 2: a polygon has no tangent.
 ///
 /// Error   2 m + 2 roundings of the largest |coordinate|, phantoms included.
 ///
-/// Laws    1. the limit of a control point is that of its vertex point in the next level; 2. it is on the
-/// curve.
+/// Laws    1. it is on the curve; 2. for odd degrees it is that of the vertex point in the next level.
 template <CurvePoint P>
 CurveLimits<P> limits(const Curve<P>& curve) {
     using Scalar = ScalarOf<P>;
@@ -44,9 +43,7 @@ CurveLimits<P> limits(const Curve<P>& curve) {
     const bool open = shape.ends == Ends::Open;
     const auto weights = [&](int r) {
         std::vector<Scalar> out;
-        for (const Rational& w : limit_mask(shape.degree, r))
-            out.push_back(Scalar(numerator(w).template convert_to<int>()) /
-                          Scalar(denominator(w).template convert_to<int>()));
+        for (const Rational& w : limit_mask(shape.degree, r)) out.push_back(static_cast<Scalar>(w));
         return out;
     };
     const auto position = weights(0), tangent = weights(1);
