@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -26,13 +27,16 @@ Spline<P> second_derivative(const Spline<P>& curve) {
 }
 
 /// max |second derivative| over [a, b], inside interval s: the longest of its Bezier points there.  For
-/// cubics it is exact, as it is linear; for all it can only shrink when [a, b] does.
+/// cubics it is exact, as it is linear; for all it can only shrink when [a, b] does.  Infinite where knots
+/// are so close that it has no value.
 template <CurvePoint P>
 double largest_second_derivative(const Spline<P>& second, std::size_t s, double a, double b) {
     double largest = 0;
     for (int k = 0; k <= second.degree; ++k) {
         const P point = blossom(second, s, [&](std::size_t r) { return static_cast<int>(r) < k ? b : a; });
-        largest = std::max(largest, norm(point));
+        const double length = norm(point);
+        if (std::isnan(length)) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, length);
     }
     return largest;
 }
@@ -67,6 +71,9 @@ Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, 
         largest = 0;
     };
     end_chord(first);
+    const auto too_large = [] {
+        return fail(ErrorCode::TooLarge, "More points are needed for this tolerance than there is room for.");
+    };
     const Spline<P> second = detail::second_derivative(curve);
     const auto degree = static_cast<std::size_t>(curve.degree);
     for (std::size_t s = span_of(curve, first); s < curve.points.size() && curve.knots[s] < last; ++s) {
@@ -85,14 +92,13 @@ Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, 
             for (double b = std::midpoint(inside, outside); inside < b && b < outside;
                  b = std::midpoint(inside, outside))
                 (fits(b) ? inside : outside) = b;
-            if (!(inside > a) || out.points.size() + 1 >= most_points)
-                return fail(ErrorCode::TooLarge,
-                            "More points are needed for this tolerance than there is room for.");
+            if (!(inside > a) || out.points.size() + 1 >= most_points) return too_large();
             end_chord(inside);
         }
         largest = reach(high);
     }
     end_chord(last);
+    if (out.points.size() > most_points) return too_large();
     return out;
 }
 
