@@ -16,9 +16,9 @@
 namespace loopcheck::core {
 
 /// BadKnots, with a sentence, unless 1 <= degree <= kMaxDegree, `point_count` > degree, there are point_count
-/// + degree + 1 knots, finite and ascending, none inside the domain more often than `degree` times, and the
-/// first and the last interval of the domain are not empty: then the curve is continuous and every control
-/// point has a say.
+/// + degree + 1 knots, ascending and not beyond the largest double over 2^24, none inside the domain more
+/// often than `degree` times, and the first and the last interval of the domain are not empty: then the curve
+/// is continuous, every control point has a say, and sums of knots are finite.
 std::optional<Error> check_knots(std::span<const double> knots, int degree, std::size_t point_count);
 
 /// P(t) = sum_i N_i(t) c_i over knots k, for t in [k_d, k_n]; d the degree, n the number of points.
@@ -79,7 +79,7 @@ P blossom(const Spline<P>& c, std::size_t s, Argument argument) {
 /// How a point of a curve is found.
 enum class Evaluation : std::uint8_t {
     AllPoints,  ///< sum N_i(t) c_i over every control point
-    Local,      ///< over those whose basis function has t inside its support: degree + 1, one fewer at a knot
+    Local,      ///< over the degree + 1 that reach the interval of t; one fewer at the knot that begins it
     DeBoor,     ///< affine combinations of degree + 1 control points; no basis function is evaluated
 };
 
@@ -111,9 +111,8 @@ P basis_sum(const Spline<P>& c, const ScalarOf<P>& t, std::size_t first, std::si
 ///
 /// Range   t in [first(), last()].  Beyond, DeBoor follows the polynomial at the end; the sums lose weight.
 ///
-/// Error   at most `evaluation_roundings(degree)` roundings of the largest |coordinate| of the control
-/// points,
-///         by each of the three methods.
+/// Error   by each of the three methods, at most `evaluation_roundings(degree)` roundings of the largest
+///         |coordinate| of the control points.
 ///
 /// Laws    1. AllPoints and Local give the same bits: what they differ in are terms that are zero.
 template <CurvePoint P>

@@ -420,6 +420,9 @@ TEST(CheckKnots, RefusesWhatHasNoContinuousCurve) {
     EXPECT_TRUE(contains(refusal({0, 0, kNaN, 1, 1, 1}, 2, 3), "Knot 2 is not finite"));
     EXPECT_TRUE(contains(refusal({0, 0, 0, 1, 1, kInfinity}, 2, 3), "Knot 5 is not finite"));
     EXPECT_TRUE(contains(refusal({-kInfinity, 0, 0, 1, 1, 1}, 2, 3), "Knot 0 is not finite"));
+    constexpr double kLargest = std::numeric_limits<double>::max() * 0x1p-24;
+    EXPECT_EQ(refusal({-kLargest, -kLargest, kLargest, kLargest}, 1, 2), "");
+    EXPECT_TRUE(contains(refusal({0, 0, 1, 1.01 * kLargest}, 1, 2), "Knot 3 is not finite, or too large"));
     EXPECT_TRUE(contains(refusal({0, 0, 0, 1, 0.5, 1}, 2, 3), "Knot 4 is smaller"));
     EXPECT_TRUE(contains(refusal({0, 0, 0, 0, 1, 1, 1}, 2, 4), "empty interval"));
     EXPECT_TRUE(contains(refusal({0, 0, 0, 1, 1, 1, 1}, 2, 4), "empty interval"));
