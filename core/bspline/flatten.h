@@ -53,7 +53,7 @@ double largest_second_derivative(const Spline<P>& second, std::size_t s, double 
 ///
 /// Source  the remainder of linear interpolation.
 ///
-/// Range   tolerance > 0, not NaN; domain [a, b] inside that of the spline.
+/// Range   coordinates in double; tolerance > 0, not NaN; [first, last] inside the domain of the spline.
 ///
 /// Errors  TooLarge where more than `most_points` points would be needed.
 ///
