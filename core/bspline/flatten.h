@@ -57,8 +57,8 @@ double largest_second_derivative(const Spline<P>& second, std::size_t s, double 
 ///
 /// Errors  TooLarge where more than `most_points` points would be needed.
 ///
-/// Error   the points are rounded as `evaluate` says; the parameters are found to within 2 units in the last
-///         place.
+/// Error   the points are rounded as `evaluate` says; the parameters are found to within 2 units in their
+///         last place.
 template <CurvePoint P>
 Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, double tolerance,
                              std::size_t most_points) {

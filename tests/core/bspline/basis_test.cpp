@@ -95,6 +95,27 @@ TEST(BasisFunction, IsTheClosedFormOfTheUniformCubic) {
     }
 }
 
+template <class Scalar>
+void check_both_forms(double roundoff) {
+    constexpr int kRoundings = 3 * kBasisRoundingsPerDegree + kCubicBasisRoundings;
+    Observed use("Difference of recursion and closed form over both bounds", "sample", 1);
+    for (int i = -1100; i <= 1100; ++i) {
+        const Scalar x = Scalar(i) / 512, closed = cubic_basis(x);
+        const Scalar difference = centred(3, x) - closed;
+        use.add(tests::share_of(
+                    std::abs(static_cast<double>(difference)),
+                    kRoundings * roundoff / (1 - kRoundings * roundoff) * static_cast<double>(closed)),
+                i, static_cast<double>(centred(3, x)), static_cast<double>(closed));
+    }
+    use.check();
+}
+
+TEST(BasisFunction, IsWithinBothBoundsOfTheClosedForm) {
+    check_both_forms<float>(unit_roundoff(Precision::Float));
+    check_both_forms<double>(unit_roundoff(Precision::Double));
+    check_both_forms<High>(kHighRoundoff);
+}
+
 TEST(BasisFunction, IsTheRecursionOfPolynomialsAndSoAreItsDerivatives) {
     for (int degree = 1; degree <= 5; ++degree) {
         const auto knots = random_knots<Rational>(static_cast<std::size_t>(2 * degree) + 4, degree + 1, 5);

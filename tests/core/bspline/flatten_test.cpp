@@ -168,6 +168,17 @@ TEST(Flatten, FindsItsParametersToTheLastPlaces) {
     }
 }
 
+TEST(Flatten, NeedsNoMorePointsForALargerTolerance) {
+    for (const CurveShape& shape : tests::shapes(1, 8)) {
+        std::size_t most = std::numeric_limits<std::size_t>::max();
+        for (double tolerance = 0.001; tolerance < 10; tolerance *= 1.3) {
+            const std::size_t count = flat(curve_of(winding_points(12), shape), tolerance).points.size();
+            EXPECT_LE(count, most) << name(shape.ends) << shape.degree << " " << tolerance;
+            most = count;
+        }
+    }
+}
+
 TEST(Flatten, KeepsCorners) {
     for (int degree = 1; degree <= 5; ++degree) {
         const auto d = static_cast<std::size_t>(degree);

@@ -67,10 +67,12 @@ class EvaluateInRounded : public testing::Test {};
 using PointTypes = testing::Types<float, double, glm::vec2, glm::vec3, glm::dvec2, glm::dvec3>;
 TYPED_TEST_SUITE(EvaluateInRounded, PointTypes);
 
-// Curves of every shape up to degree 8, of few points and of more.
+// Curves of every shape up to degree 8 and of the highest degrees, of few points and of more.
 template <class P, class Visit>
 void for_every_curve(Visit visit) {
-    for (const CurveShape& shape : tests::shapes(1, 8))
+    auto all = tests::shapes(1, 8);
+    for (const CurveShape& shape : tests::shapes(kMaxDegree - 1, kMaxDegree)) all.push_back(shape);
+    for (const CurveShape& shape : all)
         for (const std::size_t n : tests::sizes(shape))
             visit(curve_of(tests::scattered_points<P>(n, n + 100), shape));
 }
@@ -129,6 +131,22 @@ TYPED_TEST(EvaluateInRounded, HasTheSameBitsOverAllPointsAndOverTheLocalOnes) {
         }
     });
     EXPECT_GT(compared, 1000);
+}
+
+TEST(Evaluate, TakesPointsInHighPrecision) {
+    const auto points = tests::scattered_points<glm::dvec3>(6, 2);
+    const CurveShape shape{3, Ends::Natural};
+    const auto spline = spline_of(curve_of(convert_points<High>(points), shape));
+    for (const Evaluation method : kMethods) {
+        const Point<High> p = evaluated(spline, High(2.3), method);
+        const auto expect_axis = [&](const High& got, int axis) {
+            const auto one = spline_of(curve_of(tests::coordinates<High>(points, axis), shape));
+            EXPECT_EQ(got, evaluated(one, High(2.3), method)) << axis;
+        };
+        expect_axis(p.x, 0);
+        expect_axis(p.y, 1);
+        expect_axis(p.z, 2);
+    }
 }
 
 TEST(Evaluate, GoesOnBeyondTheDomainAndTakesAnyParameter) {
