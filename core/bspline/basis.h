@@ -23,8 +23,8 @@ inline constexpr int kMaxDegree = 20;
 ///
 /// Range   0 <= degree <= kMaxDegree, knots ascending, i + degree + 1 < their number.
 ///
-/// Error   relative, at most kBasisRoundingsPerDegree * degree roundings: no two numbers that were rounded
-///         are subtracted.
+/// Error   relative, at most kBasisRoundingsPerDegree * degree roundings where nothing underflows: no two
+///         numbers that were rounded are subtracted.
 ///
 /// Laws    1. not negative, and zero outside [k_i, k_(i+d+1)]; 2. where d + 1 of them overlap they sum to 1.
 template <class Scalar>
@@ -61,7 +61,7 @@ inline constexpr int kBasisRoundingsPerDegree = 5;
 /// Cost    2^r basis functions.
 ///
 /// Error   at most (5 degree + 4 r) roundings of the same sum with every term taken positive, which is at
-///         most 2^r d!/(d-r)! over the product of the knot differences.
+///         most 2^r d!/(d-r)! over the product of the narrowest knot differences.
 template <class Scalar>
 Scalar basis_derivative(std::span<const Scalar> knots, int degree, std::size_t i, const Scalar& t, int r) {
     if (r > degree) return Scalar(0);
@@ -130,8 +130,9 @@ Scalar cubic_basis(const Scalar& x) {
 }
 inline constexpr int kCubicBasisRoundings = 8;
 
-/// N'(x): the sign of -x times (4 a - 3 a^2) / 2 or (2 - a)^2 / 2.  Error: at most kCubicBasisRoundings of
-/// 2/3.
+/// N'(x): the sign of -x times (4 a - 3 a^2) / 2 or (2 - a)^2 / 2.
+///
+/// Error   at most kCubicBasisRoundings roundings of 2/3, its largest value.
 template <class Scalar>
 Scalar cubic_basis_derivative(const Scalar& x) {
     const Scalar a = x < 0 ? Scalar(-x) : x;
@@ -141,7 +142,9 @@ Scalar cubic_basis_derivative(const Scalar& x) {
     return x < 0 ? slope : Scalar(-slope);
 }
 
-/// N''(x): 3 a - 2 or 2 - a, continuous and piecewise linear.  Error: at most 2 roundings of 2.
+/// N''(x): 3 a - 2 or 2 - a, continuous and piecewise linear.
+///
+/// Error   at most 2 roundings of 2, its largest |value|.
 template <class Scalar>
 Scalar cubic_basis_second_derivative(const Scalar& x) {
     const Scalar a = x < 0 ? Scalar(-x) : x;
@@ -154,7 +157,7 @@ Scalar cubic_basis_second_derivative(const Scalar& x) {
 ///     w^3 / 6,   (1 + 3 w (1 + u w)) / 6,   (1 + 3 u (1 + u w)) / 6,   u^3 / 6,     w = 1 - u
 ///
 /// Range   0 <= u <= 1.
-/// Error   relative, at most kCubicBasisRoundings.
+/// Error   relative, at most kCubicBasisRoundings where u^3 does not underflow.
 template <class Scalar>
 std::array<Scalar, 4> cubic_weights(const Scalar& u) {
     const Scalar w = 1 - u;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -26,13 +27,16 @@ Spline<P> second_derivative(const Spline<P>& curve) {
 }
 
 /// max |second derivative| over [a, b], inside interval s: the longest of its Bezier points there.  For
-/// cubics it is exact, as it is linear; for all it can only shrink when [a, b] does.
+/// cubics it is exact, as it is linear; for all it can only shrink when [a, b] does.  Infinite where knots
+/// are so close that it has no value.
 template <CurvePoint P>
 double largest_second_derivative(const Spline<P>& second, std::size_t s, double a, double b) {
     double largest = 0;
     for (int k = 0; k <= second.degree; ++k) {
         const P point = blossom(second, s, [&](std::size_t r) { return static_cast<int>(r) < k ? b : a; });
-        largest = std::max(largest, norm(point));
+        const double length = norm(point);
+        if (std::isnan(length)) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, length);
     }
     return largest;
 }
@@ -62,15 +66,13 @@ double enough_chords(const Spline<P>& curve, const Spline<P>& second, double tol
 ///
 /// Source  the remainder of linear interpolation.
 ///
-/// Range   tolerance > 0, not NaN; domain [a, b] inside that of the spline.
+/// Range   coordinates in double; tolerance > 0, not NaN; [first, last] inside the domain of the spline.
 ///
-/// Errors  TooLarge where more than `most_points` points could be needed, of which every interval of length h
-/// takes
-///         h sqrt(max |P''| / (8 tolerance)) at the most; or where doubles are not as close as points must
-///         be.
+/// Errors  TooLarge where more than `most_points` could be needed: one a knot, and h sqrt(max |P''| /
+///         (8 tolerance)) in every interval of length h; or where doubles are not as close as points must be.
 ///
-/// Error   the points are rounded as `evaluate` says; the parameters are found to within 2 units in the last
-///         place.
+/// Error   the points are rounded as `evaluate` says; the parameters are found to within 2 units in their
+///         last place.
 template <CurvePoint P>
 Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, double tolerance,
                              std::size_t most_points) {

@@ -14,8 +14,8 @@ namespace loopcheck::core {
 ///     degree 3: (1, 4, 1)/6, (-1, 0, 1)/2 and (1, -2, 1);  2: (1, 6, 1)/8;  5: (1, 26, 66, 26, 1)/120
 ///
 /// Source  basis functions at whole numbers.
-/// Laws    1. sums to 1, or 0 for r > 0; 2. at a knot where the derivative jumps it is that of the right
-/// side.
+/// Range   0 <= r < degree: the derivative of order `degree` jumps.
+/// Laws    1. sums to 1, or 0 for r > 0; 2. symmetric for even r, its sign turned for odd r.
 ///
 /// Error   each weight 3 roundings; Rational exact.  Scalar is float, double, HighPrecision or Rational.
 template <class Scalar>
@@ -31,14 +31,13 @@ struct CurveLimits {
 };
 
 /// Every control point of a Natural or Closed curve has a limit; of an Open one, those in its domain.  At a
-/// natural end it is the point itself, with the tangent along the polygon.
+/// natural end it is the point itself; for cubics with the tangent along the polygon.
 ///
 /// Range   not Clamped, and degree >= 2: a polygon has no tangent.
 ///
 /// Error   2 m + 5 roundings of the largest |coordinate|, phantoms included.
 ///
-/// Laws    1. the limit of a control point is that of its vertex point in the next level; 2. it is on the
-/// curve.
+/// Laws    1. it is on the curve; 2. for odd degrees it is that of the vertex point in the next level.
 template <CurvePoint P>
 CurveLimits<P> limits(const Curve<P>& curve) {
     using Scalar = ScalarOf<P>;

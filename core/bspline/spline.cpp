@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace loopcheck::core {
 
@@ -17,7 +18,8 @@ std::optional<Error> check_knots(std::span<const double> knots, int degree, std:
         return bad(fmt::format("There are {} knots; {} points of degree {} need {}.", knots.size(),
                                point_count, degree, point_count + d + 1));
     for (std::size_t k = 0; k < knots.size(); ++k) {
-        if (!std::isfinite(knots[k])) return bad(fmt::format("Knot {} is not finite.", k));
+        if (!(std::abs(knots[k]) <= std::numeric_limits<double>::max() * 0x1p-24))
+            return bad(fmt::format("Knot {} is not finite, or too large to be summed.", k));
         if (k > 0 && knots[k] < knots[k - 1])
             return bad(fmt::format("Knot {} is smaller than the one before.", k));
     }

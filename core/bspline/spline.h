@@ -16,9 +16,9 @@
 namespace loopcheck::core {
 
 /// BadKnots, with a sentence, unless 1 <= degree <= kMaxDegree, `point_count` > degree, there are point_count
-/// + degree + 1 knots, finite and ascending, none inside the domain more often than `degree` times, and the
-/// first and the last interval of the domain are not empty: then the curve is continuous and every control
-/// point has a say.
+/// + degree + 1 knots, ascending and not beyond the largest double over 2^24, none inside the domain more
+/// often than `degree` times, and the first and the last interval of the domain are not empty: then the curve
+/// is continuous, every control point has a say, and sums of knots are finite.
 std::optional<Error> check_knots(std::span<const double> knots, int degree, std::size_t point_count);
 
 /// P(t) = sum_i N_i(t) c_i over knots k, for t in [k_d, k_n]; d the degree, n the number of points.
@@ -91,7 +91,7 @@ P blossom(const Spline<P>& c, std::size_t s, Argument argument) {
 /// How a point of a curve is found.
 enum class Evaluation : std::uint8_t {
     AllPoints,  ///< sum N_i(t) c_i over every control point
-    Local,      ///< over those whose basis function has t inside its support: degree + 1, one fewer at a knot
+    Local,      ///< over the degree + 1 that reach the interval of t; one fewer at the knot that begins it
     DeBoor,     ///< affine combinations of degree + 1 control points; no basis function is evaluated
 };
 
@@ -123,9 +123,8 @@ P basis_sum(const Spline<P>& c, const ScalarOf<P>& t, std::size_t first, std::si
 ///
 /// Range   t in [first(), last()].  Beyond, DeBoor follows the polynomial at the end; the sums lose weight.
 ///
-/// Error   at most `evaluation_roundings(degree)` roundings of the largest |coordinate| of the control
-/// points,
-///         by each of the three methods.
+/// Error   by each of the three methods, at most `evaluation_roundings(degree)` roundings of the largest
+///         |coordinate| of the control points.
 ///
 /// Laws    1. AllPoints and Local give the same bits: what they differ in are terms that are zero.
 template <CurvePoint P>
@@ -170,28 +169,52 @@ ScalarOf<P> greville(const Spline<P>& c, std::size_t i) {
     return sum / c.degree;
 }
 
+namespace detail {
+
+/// Puts knot u after the last knot of `c` and lets its last degree + 1 points, which are all that reach u,
+/// become degree + 2.  `right` begins the knots that are still to come.  All combinations are convex.
+///
+/// Source  [Boehm80].
+template <CurvePoint P>
+void insert_knot(Spline<P>& c, const ScalarOf<P>& u, std::span<const ScalarOf<P>> right) {
+    using Scalar = ScalarOf<P>;
+    const auto d = static_cast<std::size_t>(c.degree);
+    const P last = c.points.back();
+    c.points.push_back(last);
+    const auto p = c.points.end() - static_cast<std::ptrdiff_t>(d + 2);
+    for (std::size_t j = d; j > 0; --j) {
+        const Scalar &low = c.knots[c.knots.size() - 1 - (d - j)], &high = right[j - 1];
+        const Scalar width = high - low;
+        p[j] = Scalar((high - u) / width) * p[j - 1] + Scalar((u - low) / width) * p[j];
+    }
+    c.knots.push_back(u);
+}
+
+}  // namespace detail
+
 /// The same curve with a knot put into the middle of every interval of the domain that is not empty.
 ///
-/// Error   as of `blossom`.
+/// Error   at most kBasisRoundingsPerDegree * degree roundings of the largest |coordinate|: a control point
+///         comes from at most `degree` convex combinations, one after the other.
+///
 /// Laws    1. evaluation is unchanged; 2. the control polygon comes 4 times closer where the curve is smooth.
 template <CurvePoint P>
 Spline<P> refine_knots(const Spline<P>& c) {
     using Scalar = ScalarOf<P>;
-    Spline<P> out{c.degree, {}, {}, false};
+    const auto d = static_cast<std::ptrdiff_t>(c.degree);
     const std::size_t n = c.points.size();
-    for (std::size_t k = 0; k < c.knots.size(); ++k) {
-        out.knots.push_back(c.knots[k]);
-        const bool inside = k >= static_cast<std::size_t>(c.degree) && k < n;
-        if (inside && c.knots[k] < c.knots[k + 1])
-            out.knots.push_back(Scalar((c.knots[k] + c.knots[k + 1]) / 2));
+    Spline<P> out{c.degree,
+                  {c.knots.begin(), c.knots.begin() + d + 1},
+                  {c.points.begin(), c.points.begin() + d + 1},
+                  false};
+    for (auto s = static_cast<std::size_t>(d); s < n; ++s) {
+        const Scalar &low = c.knots[s], &high = c.knots[s + 1];
+        if (low < high)
+            detail::insert_knot<P>(out, Scalar((low + high) / 2), std::span(c.knots).subspan(s + 1));
+        out.knots.push_back(high);
+        if (s + 1 < n) out.points.push_back(c.points[s + 1]);
     }
-    for (std::size_t i = 0; i + c.degree + 1 < out.knots.size(); ++i) {
-        // Some interval that the new function reaches: the polynomial there has the same blossom.
-        std::size_t middle = i;
-        while (out.knots[middle] == out.knots[middle + 1] || out.knots[middle] < c.first()) ++middle;
-        const std::size_t s = span_of(c, out.knots[middle]);
-        out.points.push_back(blossom(c, s, [&](std::size_t r) { return out.knots[i + 1 + r]; }));
-    }
+    out.knots.insert(out.knots.end(), c.knots.begin() + static_cast<std::ptrdiff_t>(n) + 1, c.knots.end());
     return out;
 }
 
