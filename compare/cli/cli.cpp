@@ -100,6 +100,12 @@ void complain(const Context& context, const std::string& path, const core::Error
     context.err << fmt::format("{}: {}\n", printable(path), printable(core::to_string(error)));
 }
 
+core::Error on_its_line(core::Error error, const core::PointsFile& file) {
+    if (error.place.kind == core::Place::Kind::Point)
+        error.place = {core::Place::Kind::Line, file.lines[static_cast<std::size_t>(error.place.index)]};
+    return error;
+}
+
 bool outputs_clash(const Context& context, std::span<const std::string> outputs,
                    std::span<const std::string> inputs) {
     const auto canonical = [](const std::string& path) {

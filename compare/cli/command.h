@@ -11,6 +11,7 @@
 
 #include "compare/loading.h"
 #include "compare/subject.h"
+#include "core/bspline/points_file.h"
 
 namespace loopcheck::compare {
 
@@ -30,6 +31,7 @@ using Command = std::function<int(const Context&)>;
 /// Adds a command to the program.
 Command add_compare(CLI::App& program);
 Command add_curve(CLI::App& program);
+Command add_grid(CLI::App& program);
 Command add_suite(CLI::App& program);
 Command add_refine(CLI::App& program);
 Command add_deviations(CLI::App& program);
@@ -71,6 +73,9 @@ std::optional<LoadedModel> load_or_complain(const Context& context, const std::s
 
 /// Prints an error about a file, as "cow.obj: line 3: sentence [code]".
 void complain(const Context& context, const std::string& path, const core::Error& error);
+
+/// The error with the line its point was read from, where it names one.
+core::Error on_its_line(core::Error error, const core::PointsFile& file);
 
 /// True, with a message, where two reports would go to one file, or one over a model that is read.
 bool outputs_clash(const Context& context, std::span<const std::string> outputs,

@@ -10,7 +10,6 @@
 #include "compare/report/curve.h"
 #include "compare/words.h"
 #include "core/bspline/limit.h"
-#include "core/bspline/points_file.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
@@ -32,12 +31,6 @@ struct Flags {
 std::string check_positive(const std::string& text) {
     const auto value = core::parse_double(text);
     return value && *value > 0 && std::isfinite(*value) ? std::string() : text + " is not a positive number";
-}
-
-core::Error on_its_line(core::Error error, const core::PointsFile& file) {
-    if (error.place.kind == core::Place::Kind::Point)
-        error.place = {core::Place::Kind::Line, file.lines[static_cast<std::size_t>(error.place.index)]};
-    return error;
 }
 
 std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context, const Flags& flags,

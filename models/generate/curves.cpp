@@ -39,6 +39,29 @@ Points wandering(int count) {
     return out;
 }
 
+Points hill(int rows, int columns) {
+    Points out;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j)
+            out.push_back({0.9 * j + 0.1 * std::sin(2.1 * i + j), 1.1 * i + 0.1 * std::cos(1.3 * i * j),
+                           1.7 * std::exp(-0.4 * ((i - 1) * (i - 1) + (j - 2) * (j - 2)))});
+    return out;
+}
+
+// A ring of rings: `rows` around the axis, `columns` around the tube.
+Points lopsided_torus(int rows, int columns) {
+    constexpr double kTurn = 6.283185307179586;
+    Points out;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const double around = kTurn * i / rows, tube = kTurn * j / columns;
+            const double radius = 2.2 + (0.7 + 0.15 * std::cos(2.0 * i)) * std::cos(tube);
+            out.push_back(
+                {radius * std::cos(around) + 0.2, radius * std::sin(around), 0.8 * std::sin(tube) - 0.1 * i});
+        }
+    return out;
+}
+
 }  // namespace
 
 std::vector<CurveModel> curves() {
@@ -89,6 +112,15 @@ std::vector<CurveModel> curves() {
           {1000000.5, -1.0, 0.000002}},
          6},
     };
+}
+
+std::vector<GridModel> grids() {
+    return {{{"patch-2x2",
+              "the smallest grid: a bilinear patch",
+              {{0.1, 0.2, 0.3}, {1.4, 0.1, 0.9}, {0.2, 1.7, -0.4}, {1.9, 1.5, 0.6}}},
+             2},
+            {{"hill-4x5", "a hill: open both ways", hill(4, 5)}, 5},
+            {{"ring-7x4", "a ring of rings: to be closed both ways, or one", lopsided_torus(7, 4)}, 4}};
 }
 
 }  // namespace loopcheck::models

@@ -1,4 +1,4 @@
-// Every curve of the folder: name, purpose, control points. To add a curve, add one entry.
+// Every curve and grid of the folder: name, purpose, control points. To add one, add one entry.
 #pragma once
 
 #include <string>
@@ -14,6 +14,13 @@ struct CurveModel {
     int decimals = 4;
 };
 
+/// Row after row.
+struct GridModel {
+    CurveModel points;
+    int columns = 0;
+};
+
 std::vector<CurveModel> curves();
+std::vector<GridModel> grids();
 
 }  // namespace loopcheck::models

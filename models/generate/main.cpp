@@ -1,4 +1,5 @@
-// loopcheck_models OUTDIR: writes OUTDIR/*.obj, OUTDIR/curves/*, OUTDIR/reject/* and OUTDIR/README.md.
+// loopcheck_models OUTDIR: writes OUTDIR/*.obj, OUTDIR/curves/*, OUTDIR/grids/*, OUTDIR/reject/* and
+// OUTDIR/README.md.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -29,13 +30,17 @@ void write_all(const fs::path& folder) {
     const std::vector<Model> models = catalogue();
     const std::vector<Reject> refused = rejects();
     const std::vector<CurveModel> points = curves();
+    const std::vector<GridModel> surfaces = grids();
     fs::create_directories(folder / "reject");
     fs::create_directories(folder / "curves");
+    fs::create_directories(folder / "grids");
     for (const Model& model : models) write_file(folder / (model.name + ".obj"), obj_text(model));
     for (const CurveModel& curve : points)
         write_file(folder / "curves" / (curve.name + ".txt"), points_text(curve));
+    for (const GridModel& grid : surfaces)
+        write_file(folder / "grids" / (grid.points.name + ".txt"), points_text(grid.points));
     for (const Reject& reject : refused) write_file(folder / "reject" / reject.file, reject.text);
-    write_file(folder / "README.md", index_text(models, points, refused));
+    write_file(folder / "README.md", index_text(models, points, surfaces, refused));
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ std::string tag_text(const Mesh& mesh) {
 
 constexpr const char* kIndexHead = R"(# Models
 
-Small meshes, each with one purpose in its name, control points of curves (`curves/`), and files that a
-reader must refuse (`reject/`).
+Small meshes, each with one purpose in its name, control points of curves
+(`curves/`) and surfaces (`grids/`), and files that a reader must refuse (`reject/`).
 Every file here, this one too, is written by `loopcheck_models models`, the program in
 [generate/](generate/); change the program, not the files. To add a model, add one entry to
 [generate/catalogue.cpp](generate/catalogue.cpp), to add a curve one to [generate/curves.cpp](generate/curves.cpp).
@@ -95,7 +95,7 @@ std::string points_text(const CurveModel& curve) {
 }
 
 std::string index_text(const std::vector<Model>& models, const std::vector<CurveModel>& curves,
-                       const std::vector<Reject>& rejects) {
+                       const std::vector<GridModel>& grids, const std::vector<Reject>& rejects) {
     std::string text = kIndexHead;
     text += "## Meshes\n\n| File | Purpose | Vertices | Faces | Boundary edges |\n|---|---|--:|--:|--:|\n";
     for (const auto& [name, purpose, mesh] : models) {
@@ -109,6 +109,13 @@ std::string index_text(const std::vector<Model>& models, const std::vector<Curve
         text += "| [" + curve.name + ".txt](curves/" + curve.name + ".txt) | " + curve.purpose + " | " +
                 std::to_string(curve.points.size()) + " | " + std::to_string(curve.points.front().size()) +
                 " |\n";
+    }
+    text += "\n## Grids\n\nControl points of surfaces, row after row, for `loopcheck grid`.\n\n";
+    text += "| File | Purpose | Rows | Columns |\n|---|---|--:|--:|\n";
+    for (const auto& [points, columns] : grids) {
+        text += "| [" + points.name + ".txt](grids/" + points.name + ".txt) | " + points.purpose + " | " +
+                std::to_string(points.points.size() / static_cast<std::size_t>(columns)) + " | " +
+                std::to_string(columns) + " |\n";
     }
     text += "\n## Files to refuse\n\nEach is wrong in one way, and must be refused with this code.\n\n";
     text += "| File | Code | Why |\n|---|---|---|\n";

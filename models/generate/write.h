@@ -14,11 +14,11 @@ namespace loopcheck::models {
 /// mesh and written with the fewest digits, so that the text is the same on every machine.
 std::string obj_text(const Model& model);
 
-/// The text file of a curve: purpose, then a point a line.
+/// The text file of a curve or a grid: purpose, then a point a line.
 std::string points_text(const CurveModel& curve);
 
 /// README.md: what the folder holds, file by file.
 std::string index_text(const std::vector<Model>& models, const std::vector<CurveModel>& curves,
-                       const std::vector<Reject>& rejects);
+                       const std::vector<GridModel>& grids, const std::vector<Reject>& rejects);
 
 }  // namespace loopcheck::models
