@@ -385,17 +385,169 @@ def draw_descent(output):
     plt.close(figure)
 
 
+def run_curve(loopcheck, points, *options):
+    subprocess.run([loopcheck, "curve", str(points), *map(str, options)], check=True, stdout=subprocess.DEVNULL)
+
+
+def write_points(path, points):
+    pathlib.Path(path).write_text("".join(" ".join(map(repr, map(float, p))) + "\n" for p in points))
+    return path
+
+
+def curve_points(loopcheck, points, folder, *options, levels=6):
+    """One array a level: columns t, x, y, z of the point and x, y, z of the curve at t; NaN outside the domain."""
+    rows = pathlib.Path(folder) / "curve.csv"
+    run_curve(loopcheck, points, "--levels", levels, "--csv", rows, *options)
+    table = np.genfromtxt(rows, delimiter=",", skip_header=1)
+    return [table[table[:, 0] == level][:, 2:9] for level in range(levels + 1)]
+
+
+def draw_curve_pictures(loopcheck, curves, output):
+    """What --svg writes."""
+    lab, pulse = curves / "lab.txt", curves / "pulse.txt"
+    run_curve(loopcheck, lab, "--levels", 3, "--svg", output / "curve-lab.svg")
+    run_curve(loopcheck, lab, "--levels", 3, "--svg", output / "curve-lab-magnified.svg", "--magnify", 4)
+    run_curve(loopcheck, curves / "ring.txt", "--closed", "--levels", 3, "--svg", output / "curve-ring.svg")
+    for degree in (1, 2, 3):
+        run_curve(loopcheck, pulse, "--ends", "open", "--degree", degree, "--levels", 3, "--svg",
+                  output / f"curve-pulse-{degree}.svg")
+
+
+def draw_basis(loopcheck, pulse, output, folder):
+    """Each function is the mean of the one before over a window of length 1."""
+    figure, panels = plt.subplots(1, 4, figsize=(11, 2.9), sharey=True)
+    step = np.array([[-2.5, 0], [-0.5, 0], [-0.5, 1], [0.5, 1], [0.5, 0], [2.5, 0]])
+    graphs = [step]
+    for degree in (1, 2, 3):
+        fine = curve_points(loopcheck, pulse, folder, "--ends", "open", "--degree", degree)[-1]
+        graphs.append(fine[:, 4:6])
+    window = [None, (0.2, 1.2), (0.35, 1.35), (0.5, 1.5)]  # where the mean of the graph before is shown
+    for degree, (axes, graph) in enumerate(zip(panels, graphs)):
+        axes.plot(*graph.T, color="#1f4e79", linewidth=2.2, zorder=3)
+        if degree > 0:
+            before = graphs[degree - 1]
+            low, high = window[degree]
+            axes.plot(*before.T, color="0.6", linewidth=1, zorder=1)
+            if degree == 1:
+                axes.fill_between([low, 0.5], 0, 1, color="#f0c36d", alpha=0.6, linewidth=0)
+            else:
+                x = np.linspace(low, high, 200)
+                axes.fill_between(x, 0, np.interp(x, *before.T), color="#f0c36d", alpha=0.6, linewidth=0)
+            middle = (low + high) / 2
+            axes.plot(middle, np.interp(middle, *graph.T), "o", color="#b3261e", markersize=5.5, zorder=4)
+            axes.plot([low, low, high, high], [-0.03, -0.06, -0.06, -0.03], color="#b3261e", linewidth=1)
+        knots = np.arange(-(degree + 1) / 2, (degree + 1) / 2 + 0.5)
+        axes.plot(knots, np.zeros_like(knots), "|", color="#1f4e79", markersize=9, zorder=4)
+        axes.set(xlim=(-2.4, 2.4), ylim=(-0.1, 1.08), xticks=range(-2, 3),
+                 title=["degree 0: the box", "degree 1: the hat", "degree 2", "degree 3: the cubic"][degree])
+        axes.title.set_fontsize(10)
+        axes.tick_params(labelsize=8)
+        axes.grid(alpha=0.25)
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
+def draw_curve_errors(loopcheck, curves, output, folder):
+    """The distance of the polygon from the curve at every level, and the bound."""
+    figure, axes = plt.subplots(figsize=(7.4, 4.1))
+    report = pathlib.Path(folder) / "curve.json"
+    cases = [("wandering.txt", "natural", 5, "#7a7a7a", "D"), ("lab.txt", "natural", 3, "#1f4e79", "o"),
+             ("lab.txt", "clamped", 3, "#b3261e", "s"), ("ring.txt", "closed", 2, "#2e7d32", "^")]
+    for name, ends, degree, colour, marker in cases:
+        run_curve(loopcheck, curves / name, "--ends", ends, "--degree", degree, "--levels", 8, "--json", report)
+        levels = json.loads(report.read_text())["curve"]["levels"]
+        axes.semilogy([one["level"] for one in levels], [one["distance"] for one in levels], marker + "-", color=colour,
+                      markersize=5.5, label=f"{name[:-4]}, degree {degree}, {ends}")
+        if levels[0]["allowed"] is not None:
+            axes.semilogy([one["level"] for one in levels], [one["allowed"] for one in levels], "--", color=colour,
+                          linewidth=1, alpha=0.7)
+    axes.semilogy([5, 6, 6], [2.4e-3, 2.4e-3, 6e-4], color="black", linewidth=0.9)
+    axes.semilogy([5, 6], [2.4e-3, 6e-4], color="black", linewidth=0.9)
+    axes.annotate("4", (6, 1.2e-3), (6, 0), textcoords="offset points", va="center", fontsize=10)
+    axes.plot([], [], "--", color="0.4", linewidth=1,
+              label="the bound; without clamped ends cubics\nand quadratics reach it")
+    axes.set(xlabel="level", ylabel="largest distance from the curve", xticks=range(9))
+    axes.grid(alpha=0.25)
+    axes.legend(fontsize=8, loc="lower left")
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
+def draw_phantoms(loopcheck, axes, control, folder):
+    """The phantom of an end, one level on, and the curve that both give."""
+    levels = curve_points(loopcheck, write_points(pathlib.Path(folder) / "end.txt", control), folder)
+    coarse, fine, curve = levels[0][:, 1:3], levels[1][:, 1:3], levels[-1][:, 4:6]
+    axes.plot(*curve.T, color="#222222", linewidth=2.2, zorder=2)
+    for points, colour, size in ((coarse, "#1f4e79", 8), (fine, "#e08a00", 6)):
+        phantom = 2 * points[0] - points[1]
+        axes.plot(*points.T, "o-", color=colour, markersize=size, linewidth=1.1, zorder=3)
+        axes.plot(*np.array([phantom, points[0]]).T, linestyle=":", color=colour, linewidth=1.4, zorder=1)
+        axes.plot(*phantom, "o", color=colour, markerfacecolor="white", markersize=size, zorder=4)
+    for text, point, offset, colour in [
+            ("c_0 = c'_0", coarse[0], (12, -3), "#1f4e79"), ("c_1", coarse[1], (0, 9), "#1f4e79"),
+            ("c_2", coarse[2], (9, -3), "#1f4e79"), ("2 c_0 - c_1", 2 * coarse[0] - coarse[1], (12, -3), "#1f4e79"),
+            ("2 c'_0 - c'_1", 2 * fine[0] - fine[1], (12, -3), "#e08a00"), ("c'_1", fine[1], (-22, 4), "#e08a00"),
+            ("c'_2", fine[2], (0, -17), "#e08a00")]:
+        axes.annotate(text, point, offset, textcoords="offset points", fontsize=9.5, color=colour,
+                      ha="left" if offset[0] else "center")
+    axes.set_title("a phantom, and the phantom of the next level", fontsize=10)
+
+
+def draw_ends(loopcheck, axes, control, folder):
+    """Four ways to end a sum, by control points that the curve without end rules is given."""
+    path = pathlib.Path(folder) / "end.txt"
+
+    def open_curve(points):
+        rows = curve_points(loopcheck, write_points(path, points), folder, "--ends", "open")[-1][:, 4:7]
+        return rows[~np.isnan(rows[:, 0])]
+
+    homogeneous = [[x, y, 1] for x, y in control]
+    plain = open_curve([[0, 0, 0], *homogeneous, [0, 0, 0]])  # z is the sum of the basis
+    doubled = open_curve([homogeneous[0], *homogeneous, homogeneous[-1]])
+    natural = curve_points(loopcheck, write_points(path, control), folder)[-1][:, 4:6]
+    axes.plot(*np.array(control).T, "o--", color="#999999", linewidth=1, markersize=4)
+    axes.plot(*natural.T, color="#c9c9c9", linewidth=6, solid_capstyle="butt",
+              label="natural: the limit of subdivision")
+    for curve, colour, label in [(plain, "#b3261e", "plain sum"), (doubled, "#7b5ea7", "end points doubled"),
+                                 (plain[:, :2] / plain[:, 2:], "#2e7d32", "plain sum over the sum of the basis")]:
+        axes.plot(*curve[:, :2].T, color=colour, linewidth=1.5, label=label)
+        axes.plot(*curve[0, :2], "o", color=colour, markersize=6)
+    axes.set(xlim=(-0.825, -0.5), ylim=(0.735, 1.02))
+    axes.legend(fontsize=8.5, loc="upper right", title="a dot is the point of t = 0", title_fontsize=8.5)
+    axes.set_title("the first end of lab.txt, four ways", fontsize=10)
+
+
+def draw_curve_ends(loopcheck, lab, output, folder):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.2))
+    draw_phantoms(loopcheck, left, [(0, 0), (1.2, 1.3), (2.9, 1.0), (3.6, -0.4)], folder)
+    draw_ends(loopcheck, right, np.loadtxt(lab).tolist(), folder)
+    for axes in (left, right):
+        axes.set_aspect("equal")
+        axes.set_axis_off()
+    left.margins(0.1)
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
 def main():
     loopcheck, models, output = sys.argv[1:]
+    curves, output = pathlib.Path(models) / "curves", pathlib.Path(output)
     cow = str(pathlib.Path(models) / "cow.obj")
     with tempfile.TemporaryDirectory() as folder:
-        draw_levels(loopcheck, cow, pathlib.Path(output) / "cow-levels.png", folder)
-        draw_deviations(loopcheck, pathlib.Path(output), folder)
-        draw_difference(loopcheck, cow, pathlib.Path(output) / "cow-warren.png", folder)
-        draw_characteristic_maps(loopcheck, pathlib.Path(output) / "characteristic-maps.png", folder)
-    draw_eigenvalues(pathlib.Path(output) / "eigenvalues.png")
-    draw_twelve_points(pathlib.Path(output) / "twelve-points.png")
-    draw_descent(pathlib.Path(output) / "descent.png")
+        draw_levels(loopcheck, cow, output / "cow-levels.png", folder)
+        draw_deviations(loopcheck, output, folder)
+        draw_difference(loopcheck, cow, output / "cow-warren.png", folder)
+        draw_characteristic_maps(loopcheck, output / "characteristic-maps.png", folder)
+        draw_basis(loopcheck, curves / "pulse.txt", output / "curve-basis.png", folder)
+        draw_curve_errors(loopcheck, curves, output / "curve-errors.png", folder)
+        draw_curve_ends(loopcheck, curves / "lab.txt", output / "curve-ends.png", folder)
+    draw_curve_pictures(loopcheck, curves, output)
+    draw_eigenvalues(output / "eigenvalues.png")
+    draw_twelve_points(output / "twelve-points.png")
+    draw_descent(output / "descent.png")
 
 
 if __name__ == "__main__":
