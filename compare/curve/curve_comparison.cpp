@@ -287,8 +287,12 @@ CurveComparison compare_curve(const DoubleCurve& curve, int levels, const CurveP
         out.stride = std::max(out.stride, stride);
         out.polygons.push_back(
             polygon_stats(l, out.levels[l].points, exact[l], bounds[l].points, oracle, stride));
+        // Rounding in 38 digits, where the polygon is on the curve.
+        if (out.polygons.back().distance <= kEqualInHighPrecision * out.largest_coordinate)
+            out.polygons.back().distance = 0;
         if (!uniform) continue;
         out.polygons.back().allowed = core::polygon_distance(curve, l);
+        if (curve.shape().degree == 1) continue;  // no limits: every point is on the polygon
         const auto level = core::Curve<HighPoint>::make(exact[l].points, curve.shape());
         out.polygons.back().limit_error =
             limit_error(*level, exact[l].parameters, oracle, stride) /

@@ -44,7 +44,7 @@ struct TensorComparison {
 };
 
 /// Peak memory of `compare_tensor`, in bytes per vertex of the last level.  A test measures it.
-inline constexpr double kGridBytesPerVertex = 2000;
+inline constexpr double kGridBytesPerVertex = 900;
 
 /// The grid as quads: vertex i columns + j is point (i, j), and du x dv points out of the faces.
 core::MeshData quad_mesh(const core::Grid<glm::dvec3>& grid, core::Ends u, core::Ends v);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "compare/curve/curve_comparison.h"
+#include "compare/curve/tensor_comparison.h"
 #include "compare/referee.h"
 #include "compare/report/report.h"
 #include "tests/compare/support.h"
@@ -141,6 +142,14 @@ TEST(MemoryEstimate, CoversACurve) {
                   {"curve", std::string(LOOPCHECK_MODELS_DIR) + "/curves/wandering.txt", "--levels",
                    std::to_string(kLevel), "--csv", testing::TempDir() + "memory.csv"},
                   std::ldexp(kPoints, kLevel));
+}
+
+TEST(MemoryEstimate, CoversAGrid) {
+    constexpr int kPoints = 28, kLevel = 6;
+    expect_covers(kGridBytesPerVertex,
+                  {"grid", std::string(LOOPCHECK_MODELS_DIR) + "/grids/ring-7x4.txt", "--columns", "4",
+                   "--closed-u", "--closed-v", "--levels", std::to_string(kLevel)},
+                  std::ldexp(kPoints, 2 * kLevel));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ report limit 0 limit "$source/models/icosahedron.obj" --method bfr --samples 8
 report limit-none 3 limit "$source/models/boundary-none.obj" --method bfr
 report deviations 0 deviations
 report curve 0 curve "$source/models/curves/lab.txt" --levels 2 --compare opensubdiv --tolerance 0.01
+report grid 0 grid "$source/models/grids/ring-7x4.txt" --columns 4 --closed-u --levels 2
 report curve-clamped 3 curve "$source/models/curves/lab.txt" --ends clamped --levels 2 --compare opensubdiv --tolerance 0.01
 report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
 

@@ -115,6 +115,11 @@ inline std::vector<core::Rational> scattered_fractions(std::size_t count, std::u
     return out;
 }
 
+/// A curve over as many of them.
+inline core::Curve<core::Rational> curve_of_fractions(std::size_t count, const core::CurveShape& shape) {
+    return core::Curve<core::Rational>::make(scattered_fractions(count, count + 3), shape).value();
+}
+
 /// Parameters from `first` to `last`: the ends, whole and half numbers, the numbers next to them, and some
 /// between.
 template <class Scalar>

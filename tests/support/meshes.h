@@ -6,12 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/options.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace loopcheck::tests {
 
 using Positions = std::vector<glm::dvec3>;
 using Triangles = std::vector<core::Triangle>;
+
+inline constexpr core::SchemeOptions kEdgeOnly{.boundary = core::BoundaryRule::EdgeOnly};
 
 /// Positions without any symmetry or special value, for tests to which they do not matter.
 inline Positions scattered(int count) {

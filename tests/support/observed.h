@@ -8,12 +8,17 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "core/mesh/high_precision.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::tests {
+
+/// The roundoff u of a precision.
+template <class Real>
+inline constexpr double kRoundoff = std::is_same_v<Real, float> ? 0x1p-24 : 0x1p-53;
 
 /// error / bound; 0 where both are 0, infinite where only the bound is.
 inline double share_of(double error, double bound) {

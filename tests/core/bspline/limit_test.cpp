@@ -19,9 +19,6 @@ using tests::Observed;
 using Fractions = std::vector<Rational>;
 using High = HighPrecision;
 
-Curve<Rational> fractions(std::size_t count, const CurveShape& shape) {
-    return curve_of(tests::scattered_fractions(count, count + 3), shape);
-}
 Fractions over(std::initializer_list<int> numerators, int denominator) {
     Fractions out;
     for (const int n : numerators) out.push_back(Rational(n, denominator));
@@ -76,7 +73,7 @@ TEST(LimitMask, IsSymmetricOrTurnsItsSign) {
 
 TEST(LimitMask, GivesTheDerivativesOfTheCurve) {
     for (const CurveShape& shape : uniform_shapes(1, 7)) {
-        const auto curve = fractions(9, shape);
+        const auto curve = tests::curve_of_fractions(9, shape);
         const int m = shape.degree / 2;
         Spline<Rational> derived = spline_of(curve);
         for (int r = 0; r < shape.degree; ++r) {
@@ -94,7 +91,7 @@ TEST(LimitMask, GivesTheDerivativesOfTheCurve) {
 TEST(Limits, AreOnTheCurveWithItsTangents) {
     for (const CurveShape& shape : low_and_high_shapes())
         for (const std::size_t n : tests::sizes(shape)) {
-            const auto curve = fractions(n, shape);
+            const auto curve = tests::curve_of_fractions(n, shape);
             const auto spline = spline_of(curve);
             const auto slope = derivative(spline);
             const auto limit = limits(curve);
@@ -111,7 +108,7 @@ TEST(Limits, AreOnTheCurveWithItsTangents) {
 TEST(Limits, AreThoseOfEveryPointInTheDomain) {
     for (const CurveShape& shape : uniform_shapes(2, 8))
         for (const std::size_t n : tests::sizes(shape)) {
-            const auto curve = fractions(n, shape);
+            const auto curve = tests::curve_of_fractions(n, shape);
             const auto limit = limits(curve);
             for (std::size_t i = 0; i < n; ++i) {
                 const Rational t(static_cast<std::int64_t>(i));
@@ -124,7 +121,7 @@ TEST(Limits, AreThoseOfEveryPointInTheDomain) {
 TEST(Limits, AreThoseOfTheVertexPointsOfTheNextLevel) {
     for (const int degree : {3, 5, 7})
         for (const Ends ends : {Ends::Natural, Ends::Closed, Ends::Open}) {
-            auto curve = fractions(9, {degree, ends});
+            auto curve = tests::curve_of_fractions(9, {degree, ends});
             auto before = limits(curve);
             for (int level = 0; level < 3; ++level) {
                 curve = subdivide(curve);
@@ -144,7 +141,7 @@ TEST(Limits, AreThoseOfTheVertexPointsOfTheNextLevel) {
 TEST(Limits, OfANaturalEndAreThePointItself) {
     for (const int degree : {3, 5, 7})
         for (const std::size_t n : {2U, 3U, 9U}) {
-            const auto curve = fractions(n, {degree, Ends::Natural});
+            const auto curve = tests::curve_of_fractions(n, {degree, Ends::Natural});
             const auto& c = curve.points();
             const auto limit = limits(curve);
             EXPECT_EQ(limit.positions.front(), c.front());
@@ -251,7 +248,7 @@ TEST(PolygonDistance, IsNeverLessThanMeasuredAndIsReachedByCubics) {
 
 TEST(PolygonDistance, OfACubicIsASixthOfTheSecondDifferenceAtEveryPoint) {
     for (const Ends ends : {Ends::Natural, Ends::Closed}) {
-        const auto curve = fractions(7, {3, ends});
+        const auto curve = tests::curve_of_fractions(7, {3, ends});
         const auto spline = spline_of(curve);
         const auto levels = curve_levels(curve, 4);
         for (int k = 0; k <= 4; ++k)

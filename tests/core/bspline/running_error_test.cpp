@@ -38,12 +38,12 @@ void observe(Observed& use) {
         for (const Ends ends : {Ends::Natural, Ends::Closed, Ends::Open, Ends::Clamped}) {
             const CurveShape shape{degree, ends};
             if (check_shape(shape, 9)) continue;
-            using High = Point<HighPrecision>;
+            using HighPoint = Point<HighPrecision>;
             const auto computed = curve_levels(curve_of<P>(shape, [](const auto& p) { return P(p); }), 5);
-            const auto exact = curve_levels(curve_of<High>(shape,
-                                                           [](const auto& p) {
-                                                               return High{p.x, p.y, p.z};
-                                                           }),
+            const auto exact = curve_levels(curve_of<HighPoint>(shape,
+                                                                [](const auto& p) {
+                                                                    return HighPoint{p.x, p.y, p.z};
+                                                                }),
                                             5);
             const auto bounds =
                 curve_levels(curve_of<RunningError<precision>>(shape, with_running_error<precision>), 5);

@@ -21,9 +21,6 @@ using tests::value_of;
 using Fractions = std::vector<Rational>;
 using High = HighPrecision;
 
-Curve<Rational> fractions(std::size_t count, const CurveShape& shape) {
-    return curve_of(tests::scattered_fractions(count, count + 7), shape);
-}
 Rational at(const Curve<Rational>& curve, const Rational& t) {
     return evaluate(spline_of(curve), t);
 }
@@ -156,7 +153,7 @@ TEST(RefineAndAverage, IsTheCubicRulesWhereClosedOrFarFromTheEnds) {
 
 TEST(RefineAndAverage, OfExtendedPointsIsTheNaturalCubic) {
     for (const std::size_t n : {2U, 3U, 4U, 11U}) {
-        const auto curve = fractions(n, {3, Ends::Natural});
+        const auto curve = tests::curve_of_fractions(n, {3, Ends::Natural});
         const Fractions wide = refine_and_average(extended_points(curve), 3, false);
         const Fractions wanted = subdivide(curve).points();
         ASSERT_EQ(wide.size(), wanted.size() + 2);
@@ -176,7 +173,7 @@ TEST(Subdivide, LeavesTheCurveAsItIs) {
     for (const CurveShape& shape : tests::shapes(1, 7)) {
         if (shape.ends == Ends::Clamped) continue;
         for (const std::size_t n : tests::sizes(shape)) {
-            const auto curve = fractions(n, shape);
+            const auto curve = tests::curve_of_fractions(n, shape);
             const auto refined = subdivide(curve);
             EXPECT_EQ(refined.shape(), shape);
             const Rational begin = first_parameter(shape);
@@ -200,7 +197,7 @@ TEST(Subdivide, MakesAsManyPointsAsItSays) {
                                        : shape.ends == Ends::Closed
                                            ? 2 * n
                                            : 2 * n - static_cast<std::size_t>(shape.degree);
-            EXPECT_EQ(subdivide(fractions(n, shape)).size(), wanted);
+            EXPECT_EQ(subdivide(tests::curve_of_fractions(n, shape)).size(), wanted);
         }
     }
 }
@@ -212,8 +209,9 @@ TEST(CurveLevels, HaveTheirPointsWhereTheyBelong) {
         const std::size_t n = static_cast<std::size_t>(shape.degree) + 4;
         Fractions points;
         for (std::size_t i = 0; i < n; ++i)
-            points.push_back(shape.ends == Ends::Clamped ? greville(spline_of(fractions(n, shape)), i)
-                                                         : Rational(static_cast<int>(i)));
+            points.push_back(shape.ends == Ends::Clamped
+                                 ? greville(spline_of(tests::curve_of_fractions(n, shape)), i)
+                                 : Rational(static_cast<int>(i)));
         const auto levels = curve_levels(curve_of(points, shape), 4);
         ASSERT_EQ(levels.size(), 5U);
         for (const auto& level : levels)
@@ -224,9 +222,9 @@ TEST(CurveLevels, HaveTheirPointsWhereTheyBelong) {
 TEST(CurveLevels, OfAClosedCurveAreAStepApartFromTheirFirstParameter) {
     for (int degree = 1; degree <= 7; ++degree) {
         const CurveShape shape{degree, Ends::Closed};
-        const auto levels = curve_levels(fractions(5, shape), 4);
+        const auto levels = curve_levels(tests::curve_of_fractions(5, shape), 4);
         Rational first(0), step(1);
-        Curve<Rational> curve = fractions(5, shape);
+        Curve<Rational> curve = tests::curve_of_fractions(5, shape);
         for (std::size_t l = 0; l < levels.size(); ++l) {
             if (l > 0) {
                 first += first_parameter(shape) * step;
@@ -242,7 +240,7 @@ TEST(CurveLevels, OfAClosedCurveAreAStepApartFromTheirFirstParameter) {
 
 TEST(CurveLevels, HalveEveryIntervalWhateverTheShape) {
     for (const CurveShape& shape : tests::shapes(1, 5)) {
-        const auto curve = fractions(9, shape);
+        const auto curve = tests::curve_of_fractions(9, shape);
         const auto levels = curve_levels(curve, 3);
         EXPECT_EQ(levels.front().points, curve.points());
         const std::size_t d = static_cast<std::size_t>(shape.degree);
@@ -299,7 +297,7 @@ TEST(SubdivisionMatrix, TimesThePointsIsTheNextLevel) {
     Observed use("Clamped: difference of S c from the next level, in roundings of sum |w c|", "row", 1);
     for (const CurveShape& shape : tests::shapes(1, 8))
         for (const std::size_t n : tests::sizes(shape)) {
-            const auto curve = fractions(n, shape);
+            const auto curve = tests::curve_of_fractions(n, shape);
             const Fractions wanted = curve_levels(curve, 1).back().points;
             const auto rows = rows_of(value_of(subdivision_matrix(shape, n)));
             ASSERT_EQ(rows.size(), wanted.size());

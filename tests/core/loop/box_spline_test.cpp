@@ -12,7 +12,6 @@ namespace {
 
 using tests::Observed;
 
-constexpr double kRoundoff = 0x1p-53;
 constexpr int kSteps = 16;
 
 // Calls visit(u, v) for the points of a grid over the triangle, borders included.
@@ -94,7 +93,7 @@ TEST(PatchBasis, IsWithinItsErrorInDouble) {
             for (int d = 0; d < kDerivatives; ++d)
                 for (int place = 0; place < kPatchPoints; ++place)
                     use.add(tests::share_of(tests::error_of_value(got[d][place], exact[d][place]),
-                                            kBasisRoundings * kRoundoff * magnitude[d][place]),
+                                            kBasisRoundings * tests::kRoundoff<double> * magnitude[d][place]),
                             d, got[d][place], static_cast<double>(exact[d][place]));
         }
     use.check();

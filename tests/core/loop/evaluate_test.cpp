@@ -16,7 +16,6 @@ namespace {
 using tests::Observed;
 using High = HighPrecision;
 
-constexpr double kRoundoff = 0x1p-53;
 const double kHighRoundoff = static_cast<double>(std::numeric_limits<High>::epsilon()) / 2;
 
 // Parameters of all kinds: corners, edges, the inside, and near every corner and edge.  Multiples of 2^-52.
@@ -123,7 +122,7 @@ TEST_P(EvaluateEveryModel, IsWithinItsBoundOfThirtyEightDigits) {
                     error += tests::error_of_value(got.weights[d][j], exact.weights[d][j]);
                     sum += exact.weights[d][j];
                 }
-                use.add(tests::share_of(error, got.weight_error[d] * kRoundoff), f);
+                use.add(tests::share_of(error, got.weight_error[d] * tests::kRoundoff<double>), f);
                 const double off = static_cast<double>(abs(High(sum - (d == 0 ? 1 : 0))));
                 sums.add(tests::share_of(off, exact.weight_error[d] * kHighRoundoff), f);
             }

@@ -22,7 +22,6 @@ using tests::positions_of;
 using tests::share_of;
 using tests::steps_of;
 
-constexpr double kRoundoff = 0x1p-53;
 constexpr int kLevels = 3;
 
 class LawsOf : public testing::TestWithParam<std::string> {
@@ -86,7 +85,7 @@ struct AffineMap {
     }
     // What rounding does to the image of p: every term passes through at most four operations.
     glm::dvec3 rounding(const glm::dvec3& p) const {
-        constexpr double g = 4 * kRoundoff / (1 - 4 * kRoundoff);
+        constexpr double g = 4 * tests::kRoundoff<double> / (1 - 4 * tests::kRoundoff<double>);
         const glm::dvec3 size = of_bound({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         glm::dvec3 out;
         for (int i = 0; i < 3; ++i) out[i] = g * (size[i] + std::abs(shift[i]));

@@ -22,7 +22,6 @@ using tests::positions_of;
 using tests::steps_of;
 using tests::value_of;
 
-constexpr SchemeOptions kEdgeOnly{.boundary = BoundaryRule::EdgeOnly};
 constexpr SchemeOptions kEdgeAndCorner{.boundary = BoundaryRule::EdgeAndCorner};
 constexpr SchemeOptions kNone{.boundary = BoundaryRule::None};
 
@@ -64,7 +63,7 @@ TEST(Refine, TheSquareAsWrittenByHand) {
     for (auto* points : {&kept, &rounded})
         points->insert(points->end(), edge_points.begin(), edge_points.end());
     EXPECT_EQ(level_1(tests::square(), kEdgeAndCorner), kept);
-    EXPECT_EQ(level_1(tests::square(), kEdgeOnly), rounded);
+    EXPECT_EQ(level_1(tests::square(), tests::kEdgeOnly), rounded);
     EXPECT_EQ(level_1(tests::square(), kNone), rounded);
 }
 
@@ -72,14 +71,14 @@ TEST(Refine, TheTriangleAsWrittenByHand) {
     const Positions kept{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     const Positions rounded{{1, 1, 0}, {6, 1, 0}, {1, 6, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     EXPECT_EQ(level_1(tests::triangle(), kEdgeAndCorner), kept);
-    EXPECT_EQ(level_1(tests::triangle(), kEdgeOnly), rounded);
+    EXPECT_EQ(level_1(tests::triangle(), tests::kEdgeOnly), rounded);
     EXPECT_EQ(level_1(tests::triangle(), kNone), rounded);
 }
 
 // The cubic B-spline of the square's boundary, two levels deep: the corner (8, 0) goes to (7, 1), and then to
 // 3/4 (7, 1) + 1/8 ((4, 0) + (8, 4)) = (6.75, 1.25).
 TEST(Refine, TheBoundaryTwoLevelsDeepAsWrittenByHand) {
-    const auto levels = value_of(refine<double>(mesh_of(tests::square()), kEdgeOnly, 2)).levels;
+    const auto levels = value_of(refine<double>(mesh_of(tests::square()), tests::kEdgeOnly, 2)).levels;
     EXPECT_EQ(levels.at(2).positions.at(1), glm::dvec3(6.75, 1.25, 0));
     EXPECT_EQ(levels.at(2).positions.at(0), glm::dvec3(1.25, 1.25, 0));
 }

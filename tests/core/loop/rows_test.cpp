@@ -17,8 +17,6 @@ using tests::Observed;
 using tests::steps_of;
 using Row = std::vector<std::pair<Index, Rational>>;
 
-constexpr SchemeOptions kEdgeOnly{.boundary = BoundaryRule::EdgeOnly};
-
 Row row_in(const Rows& rows, std::size_t i, Weights weights) {
     const auto w = weights_of<Rational>(rows.mask(i), weights);
     const auto columns = rows.columns_of(i);
@@ -29,12 +27,12 @@ Row row_in(const Rows& rows, std::size_t i, Weights weights) {
 }
 
 // The row of a vertex point of a mesh.
-Row vertex_row(MeshData data, Index v, const SchemeOptions& options = kEdgeOnly) {
+Row vertex_row(MeshData data, Index v, const SchemeOptions& options = tests::kEdgeOnly) {
     return row_in(steps_of(mesh_of(std::move(data)), options, 1)[0].rows, v, options.weights);
 }
 
 // The row of the edge point between two vertices.
-Row edge_row(MeshData data, Index a, Index b, const SchemeOptions& options = kEdgeOnly) {
+Row edge_row(MeshData data, Index a, Index b, const SchemeOptions& options = tests::kEdgeOnly) {
     const auto mesh = mesh_of(std::move(data));
     const Topology& t = mesh.topology();
     for (const Index e : t.ring(a))
@@ -157,7 +155,7 @@ TEST(Rows, UnclampedSharesAreOfNoConsequenceElsewhere) {
 }
 
 TEST(Rows, WarrensWeightsChangeTheSmoothRuleOnly) {
-    SchemeOptions options = kEdgeOnly;
+    SchemeOptions options = tests::kEdgeOnly;
     options.weights = Weights::Warren;
     const auto wheel = tests::wheel(5);
     const Rational ring = over(3, 40);

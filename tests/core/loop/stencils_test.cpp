@@ -15,8 +15,6 @@ namespace {
 using tests::Observed;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kRoundoff = 0x1p-53;
-
 // The positions of the rows, and sum |w| |x|, in 38 digits.
 struct Applied {
     Points<HighPrecision> points;
@@ -55,7 +53,7 @@ TEST_P(StencilsOfEveryModel, AreTheRefinementAndTheLimit) {
         const auto add = [&](const HighPrecision& a, const HighPrecision& b, double size) {
             // Of the 38 digits, 30 are left after two levels.
             use.add(tests::share_of(static_cast<double>(abs(HighPrecision(a - b))),
-                                    size * kRoundoff + 1e-30 * size),
+                                    size * tests::kRoundoff<double> + 1e-30 * size),
                     static_cast<std::int64_t>(v));
         };
         add(got.points[v].x, exact[v].x, got.size[v][0]);
@@ -71,7 +69,7 @@ TEST_P(StencilsOfEveryModel, AreTheRefinementAndTheLimit) {
     Observed off(model.name + ": limit rows against `limits`, over u M", "vertex", 3 * 400);
     for (std::size_t v = 0; v < in_double.size(); ++v)
         off.add(tests::error_of_value(in_double[v].x, limit_points.points[v].x) /
-                    (kRoundoff * model.mesh.largest_coordinate()),
+                    (tests::kRoundoff<double> * model.mesh.largest_coordinate()),
                 static_cast<std::int64_t>(v));
     off.check();
     Observed sums(model.name + ": row sums, u sum |w|", "matrix", 1);

@@ -13,13 +13,10 @@ using tests::Observed;
 
 constexpr int kLastValence = 1000;  // the range of kLoopWeightUlps
 
-template <class Real>
-constexpr double kRoundoff = std::is_same_v<Real, float> ? 0x1p-24 : 0x1p-53;
-
 // Relative error in units of roundoff.
 template <class Real>
 double units(Real got, const HighPrecision& exact) {
-    return error_of_value(got, exact) / static_cast<double>(exact) / kRoundoff<Real>;
+    return error_of_value(got, exact) / static_cast<double>(exact) / tests::kRoundoff<Real>;
 }
 
 TEST(LoopWeight, IsTheFractionOfThePaper) {
@@ -106,7 +103,7 @@ TEST(WarrenWeight, EqualsLoopsOnlyAtThreeAndSix) {
             EXPECT_LE(difference, 1e-36) << n;
             continue;
         }
-        EXPECT_GT(difference, 2 * kLoopWeightUlps * kRoundoff<float>) << n;
+        EXPECT_GT(difference, 2 * kLoopWeightUlps * tests::kRoundoff<float>) << n;
         if (difference < nearest) nearest = difference, nearest_n = n;
     }
     fmt::print("[ OBSERVED ] smallest relative difference {:.3g} at n = {}\n", nearest, nearest_n);

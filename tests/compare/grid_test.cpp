@@ -1,0 +1,90 @@
+// The command that holds a bicubic surface against Catmull-Clark.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "compare/cli/cli.h"
+#include "compare/subject.h"
+#include "core/mesh/io/atomic_file.h"
+#include "tests/support/models.h"
+#include "tests/support/results.h"
+#include "tests/support/temporary_folder.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using tests::contains;
+
+std::string grid_path(const std::string& name) {
+    return LOOPCHECK_MODELS_DIR "/grids/" + name + ".txt";
+}
+
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+Outcome loopcheck_grid(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "grid");
+    std::ostringstream out, err;
+    const int code = run(arguments, built_in_subjects(), out, err);
+    return {code, out.str(), err.str()};
+}
+
+TEST(GridCommand, AgreesOnEveryModelHoweverItIsClosed) {
+    const std::vector<std::vector<std::string>> ways{
+        {}, {"--closed-u"}, {"--closed-v"}, {"--closed-u", "--closed-v"}};
+    for (const auto& [name, columns] : {std::pair{"hill-4x5", "5"}, {"ring-7x4", "4"}})
+        for (const auto& way : ways) {
+            std::vector<std::string> arguments{grid_path(name), "--columns", columns, "--levels", "3"};
+            arguments.insert(arguments.end(), way.begin(), way.end());
+            const Outcome r = loopcheck_grid(arguments);
+            EXPECT_EQ(r.code, 0) << r.out << r.err;
+            EXPECT_TRUE(contains(r.out, "verdict: agree")) << r.out;
+        }
+    EXPECT_EQ(loopcheck_grid({grid_path("patch-2x2"), "--columns", "2"}).code, 0);
+}
+
+TEST(GridCommand, WritesItsNumbers) {
+    const tests::TemporaryFolder folder;
+    const std::string json = folder / "grid.json";
+    ASSERT_EQ(loopcheck_grid({grid_path("hill-4x5"), "--columns", "5", "--levels", "2", "--json", json}).code,
+              0);
+    const auto report = nlohmann::json::parse(core::read_file(json).value());
+    EXPECT_EQ(report["command"], "grid");
+    const auto& grid = report["grid"];
+    EXPECT_EQ(grid["rows"], 4);
+    EXPECT_EQ(grid["columns"], 5);
+    ASSERT_EQ(grid["precisions"].size(), 2U);
+    for (const auto& precision : grid["precisions"]) {
+        ASSERT_EQ(precision["levels"].size(), 3U);
+        EXPECT_EQ(precision["levels"][2]["vertices"], 13 * 17);
+        EXPECT_LE(precision["levels"][2]["position"]["bound_use"], 1);
+    }
+}
+
+TEST(GridCommand, RefusesWhatIsNoGrid) {
+    const std::string hill = grid_path("hill-4x5"), reject = LOOPCHECK_MODELS_DIR "/reject/";
+    const std::vector<std::vector<std::string>> bad{{},
+                                                    {hill},
+                                                    {hill, "--columns", "0"},
+                                                    {hill, "--columns", "3"},
+                                                    {hill, "--columns", "20"},
+                                                    {hill, "--columns", "10", "--closed-v"},
+                                                    {hill, "--columns", "5", "--levels", "30"},
+                                                    {hill, "--columns", "5", "--json", hill},
+                                                    {"/no/such/file", "--columns", "5"},
+                                                    {reject + "not-finite-point.txt", "--columns", "2"},
+                                                    {reject + "not-finite-too-large.txt", "--columns", "2"}};
+    for (const auto& arguments : bad) {
+        const Outcome r = loopcheck_grid(arguments);
+        EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments) << r.out;
+        EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
+        EXPECT_EQ(r.out, "") << testing::PrintToString(arguments);
+    }
+    EXPECT_TRUE(
+        contains(loopcheck_grid({reject + "not-finite-too-large.txt", "--columns", "2"}).err, ": line 5: "));
+}
+
+}  // namespace
+}  // namespace loopcheck::compare
