@@ -1,11 +1,19 @@
-// Refines a tetrahedron once and prints what came out.
+// Refines a tetrahedron and a curve once and prints what came out.
 #include <cstdio>
 #include <utility>
 
+#include "core/bspline/subdivide.h"
 #include "core/loop/refine.h"
 
+namespace lc = loopcheck::core;
+
+// (1 0) (0 0) (0 1): the middle point becomes (0 + 6 * 0 + 1)/8 in both coordinates.
+bool subdivides_a_curve() {
+    const auto curve = lc::Curve<glm::dvec2>::make({{1, 0}, {0, 0}, {0, 1}}, {});
+    return curve && lc::subdivide(*curve).points().at(2) == glm::dvec2(1. / 8, 1. / 8);
+}
+
 int main() {
-    namespace lc = loopcheck::core;
     lc::MeshData data;
     data.positions = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
     for (const lc::Triangle& face : {lc::Triangle{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}})
@@ -21,6 +29,7 @@ int main() {
     // opposite, have 3/16 each.
     const glm::dvec3 expected(7. / 16 - 3. / 16);
     std::printf("%zu vertices, %zu faces\n", level.positions.size(), level.triangles.size());
-    return level.positions.size() == 10 && level.triangles.size() == 16 && level.positions[0] == expected ? 0
-                                                                                                          : 1;
+    const bool right = level.positions.size() == 10 && level.triangles.size() == 16 &&
+                       level.positions[0] == expected && subdivides_a_curve();
+    return right ? 0 : 1;
 }
