@@ -36,7 +36,7 @@ std::array<P, kMaxDegree + 1> bezier_points(const Spline<P>& c, std::size_t s, d
     const auto d = static_cast<std::size_t>(c.degree);
     std::array<P, kMaxDegree + 1> left, right;
     std::copy_n(c.points.begin() + static_cast<std::ptrdiff_t>(s - d), d + 1, left.begin());
-    right[d] = left[d];
+    right[d] = c.points[s];
     for (std::size_t r = 1; r <= d; ++r) {
         for (std::size_t j = d; j >= r; --j) {
             const double low = c.knots[s + j - d], high = c.knots[s + j + 1 - r];
