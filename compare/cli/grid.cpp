@@ -61,8 +61,10 @@ int run_grid(const Context& context, const Flags& flags) {
         auto compared = compare_tensor(
             grid, {.u = report.u, .v = report.v, .levels = flags.work.levels, .precision = precision});
         if (!compared) {
-            complain(context, flags.points, on_its_line(compared.error(), *file));
-            return compared.error().code == core::ErrorCode::SubjectFailed ? kExitFailed : kExitUsage;
+            core::Error why = on_its_line(compared.error(), *file);
+            why.sentence = fmt::format("In {}: {}", core::name(precision), why.sentence);
+            complain(context, flags.points, why);
+            return why.code == core::ErrorCode::SubjectFailed ? kExitFailed : kExitUsage;
         }
         report.comparisons.push_back({precision, std::move(*compared)});
     }
