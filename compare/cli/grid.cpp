@@ -31,7 +31,9 @@ std::optional<core::Error> check_grid(const core::PointsFile& file, const Flags&
             core::ErrorCode::BadSyntax,
             fmt::format("{} points are no whole number of rows of {}.", file.points.size(), flags.columns)};
     const double vertices = std::ldexp(static_cast<double>(file.points.size()), 2 * flags.work.levels);
-    const double bytes = vertices * kGridBytesPerVertex;
+    const std::size_t rows = file.points.size() / flags.columns;
+    const double lines = std::ldexp(static_cast<double>(rows + flags.columns), flags.work.levels);
+    const double bytes = vertices * kGridBytesPerVertex + lines * kGridBytesPerLine;
     if (bytes <= flags.work.memory_limit()) return std::nullopt;
     return core::Error{
         core::ErrorCode::OutOfMemory,

@@ -158,6 +158,17 @@ TEST(MemoryEstimate, CoversACurveOfManyPointsAndItsMatrix) {
     expect_covers(kCurveBytesPerPoint + (kDegree + 1) * kMatrixBytesPerWeight, arguments, kPoints);
 }
 
+TEST(MemoryEstimate, CoversAGridThatIsAllRows) {
+    constexpr int kRows = 4000;
+    const std::string points = testing::TempDir() + "memory.txt";
+    std::string text;
+    for (int i = 0; i < 2 * kRows; ++i) text += std::to_string(i % 2) + " " + std::to_string(i / 2) + "\n";
+    ASSERT_TRUE(core::write_file(points, text));
+    const double program = 8e6;  // bytes
+    expect_covers(kGridBytesPerVertex + (kGridBytesPerLine * (kRows + 2) + program) / (2 * kRows),
+                  {"grid", points, "--columns", "2", "--levels", "0"}, 2 * kRows);
+}
+
 TEST(MemoryEstimate, CoversAGrid) {
     constexpr int kPoints = 28, kLevel = 6;
     expect_covers(kGridBytesPerVertex,
