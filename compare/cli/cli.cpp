@@ -101,7 +101,8 @@ void complain(const Context& context, const std::string& path, const core::Error
 }
 
 core::Error on_its_line(core::Error error, const core::PointsFile& file) {
-    if (error.place.kind == core::Place::Kind::Point)
+    // The vertices of a grid are its points.
+    if (error.place.kind == core::Place::Kind::Point || error.place.kind == core::Place::Kind::Vertex)
         error.place = {core::Place::Kind::Line, file.lines[static_cast<std::size_t>(error.place.index)]};
     return error;
 }

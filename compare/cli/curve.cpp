@@ -44,9 +44,15 @@ std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context,
 }
 
 // Points of the last level: at most 2^L times as many.
+double last_level_points(const core::Curve<glm::dvec3>& curve, const Flags& flags) {
+    return std::ldexp(static_cast<double>(curve.size()), flags.work.levels);
+}
+
 std::optional<core::Error> check_size(const core::Curve<glm::dvec3>& curve, const Flags& flags) {
-    const double points = std::ldexp(static_cast<double>(curve.size()), flags.work.levels);
-    const double bytes = points * kCurveBytesPerPoint;
+    const double points = last_level_points(curve, flags);
+    const double weights =
+        flags.matrix.empty() ? 0 : static_cast<double>(curve.size()) * (curve.shape().degree + 1);
+    const double bytes = points * kCurveBytesPerPoint + weights * kMatrixBytesPerWeight;
     if (bytes <= flags.work.memory_limit()) return std::nullopt;
     return core::Error{
         core::ErrorCode::OutOfMemory,
@@ -139,10 +145,12 @@ int run_curve(const Context& context, const Flags& flags) {
         Progress progress(context);
         const auto show = [&](const std::string& line) { progress.show(line); };
         report.comparison = compare_curve(report.curve, flags.work.levels, show);
+        // What is left beside the curve.
+        const double left =
+            flags.work.memory_limit() - last_level_points(report.curve, flags) * kCurveBytesPerPoint;
         if (subject != nullptr)
             for (const Subject* peer : peers(context, *subject))
-                for (auto& one :
-                     compare_carried(report.curve, flags.work.levels, *peer, flags.work.memory_limit(), show))
+                for (auto& one : compare_carried(report.curve, flags.work.levels, *peer, left, show))
                     report.comparison.carried.push_back(std::move(one));
     }
     context.out << curve_as_text(report);

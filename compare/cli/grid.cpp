@@ -31,7 +31,9 @@ std::optional<core::Error> check_grid(const core::PointsFile& file, const Flags&
             core::ErrorCode::BadSyntax,
             fmt::format("{} points are no whole number of rows of {}.", file.points.size(), flags.columns)};
     const double vertices = std::ldexp(static_cast<double>(file.points.size()), 2 * flags.work.levels);
-    const double bytes = vertices * kGridBytesPerVertex;
+    const std::size_t rows = file.points.size() / flags.columns;
+    const double lines = std::ldexp(static_cast<double>(rows + flags.columns), flags.work.levels);
+    const double bytes = vertices * kGridBytesPerVertex + lines * kGridBytesPerLine;
     if (bytes <= flags.work.memory_limit()) return std::nullopt;
     return core::Error{
         core::ErrorCode::OutOfMemory,
@@ -61,8 +63,10 @@ int run_grid(const Context& context, const Flags& flags) {
         auto compared = compare_tensor(
             grid, {.u = report.u, .v = report.v, .levels = flags.work.levels, .precision = precision});
         if (!compared) {
-            complain(context, flags.points, on_its_line(compared.error(), *file));
-            return compared.error().code == core::ErrorCode::SubjectFailed ? kExitFailed : kExitUsage;
+            core::Error why = on_its_line(compared.error(), *file);
+            why.sentence = fmt::format("In {}: {}", core::name(precision), why.sentence);
+            complain(context, flags.points, why);
+            return why.code == core::ErrorCode::SubjectFailed ? kExitFailed : kExitUsage;
         }
         report.comparisons.push_back({precision, std::move(*compared)});
     }

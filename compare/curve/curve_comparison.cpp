@@ -122,10 +122,15 @@ void add_sample(EvaluationStats& stats, const glm::dvec3& p, double t, const Ora
     stats.bound_use = std::max(stats.bound_use, use_of(error, bound));
 }
 
+// k roundings of M, each of which may also be an underflow.
+double evaluation_bound(int k, double M) {
+    return core::rounding_of(k, Precision::Double) * M + k * core::smallest_subnormal(Precision::Double);
+}
+
 EvaluationStats evaluation_stats(const core::Spline<glm::dvec3>& spline, core::Evaluation method,
                                  const std::vector<double>& parameters, const Oracle& oracle, double M) {
     EvaluationStats out{.method = std::string(name(method))};
-    const double bound = core::rounding_of(core::evaluation_roundings(spline.degree), Precision::Double) * M;
+    const double bound = evaluation_bound(core::evaluation_roundings(spline.degree), M);
     const auto cost =
         method == core::Evaluation::AllPoints ? static_cast<std::int64_t>(spline.points.size()) : 1;
     const auto in_all = static_cast<std::int64_t>(parameters.size());
@@ -146,8 +151,7 @@ std::optional<EvaluationStats> boost_stats(const DoubleCurve& curve, const core:
     if (!points) return std::nullopt;
     EvaluationStats out{.method = "Boost.Math " + reference::boost_version()};
     out.basis_evaluations = static_cast<std::int64_t>(parameters.size()) * (spline.degree + 1);
-    const double bound =
-        core::rounding_of(reference::boost_curve_roundings(spline.degree), Precision::Double) * M;
+    const double bound = evaluation_bound(reference::boost_curve_roundings(spline.degree), M);
     for (std::size_t i = 0; i < parameters.size(); ++i)
         add_sample(out, (*points)[i], parameters[i], oracle, bound);
     return out;

@@ -131,6 +131,7 @@ class ExactSurface {
     void find_functions() {
         const auto functions = [&](const core::Spline<HighPrecision>& direction, std::size_t count) {
             std::vector<core::BasisAt<HighPrecision>> out;
+            out.reserve(count);
             for (std::size_t k = 0; k < count; ++k)
                 out.push_back(core::basis_at(direction, HighPrecision(static_cast<double>(k) * step())));
             return out;

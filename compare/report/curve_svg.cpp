@@ -79,8 +79,12 @@ std::string curve_path(const Page& page, const core::Curve<glm::dvec3>& curve) {
     }
     if (spline.degree <= 3) return path;
     const auto flat = core::flatten(spline, first, last, page.unseen(), kMostFlatPoints);
-    if (!flat) return polyline(page, curve.points(), false);  // no larger than its own rounding
-    return polyline(page, flat->points, false);
+    if (flat) return polyline(page, flat->points, false);
+    // Too many: where the knots are, at least.
+    std::vector<glm::dvec3> at_knots;
+    for (const double t : spline.knots)
+        if (first <= t && t <= last) at_knots.push_back(core::evaluate(spline, t));
+    return polyline(page, at_knots, false);
 }
 
 // The polygon of a level, `magnify` times as far from the curve; what is outside the domain is left out.

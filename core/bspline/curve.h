@@ -80,6 +80,8 @@ class Curve {
     }
 
   private:
+    template <CurvePoint Q>
+    friend Curve<Q> subdivide(const Curve<Q>& curve);
     Curve() = default;
 
     std::vector<P> points_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -26,15 +27,40 @@ Spline<P> second_derivative(const Spline<P>& curve) {
     return curve.degree == 1 ? Spline<P>{} : derivative(derivative(curve));
 }
 
-/// max |second derivative| over [a, b], inside interval s: the longest of its Bezier points there.  For
-/// cubics it is exact, as it is linear; for all it can only shrink when [a, b] does.  Infinite where knots
-/// are so close that it has no value.
+/// The Bezier points of the polynomial of interval s over its part [a, b], a < b: its blossoms at a, ..., a,
+/// b, ..., b.  With a inserted as often as the degree the points on its right are the blossoms at a, ..., a,
+/// k_(s+1), ..., k_(s+i); with b inserted as well those on its left are the result.  All combinations are
+/// convex.
+template <CurvePoint P>
+std::array<P, kMaxDegree + 1> bezier_points(const Spline<P>& c, std::size_t s, double a, double b) {
+    const auto d = static_cast<std::size_t>(c.degree);
+    std::array<P, kMaxDegree + 1> left, right;
+    std::copy_n(c.points.begin() + static_cast<std::ptrdiff_t>(s - d), d + 1, left.begin());
+    right[d] = c.points[s];
+    for (std::size_t r = 1; r <= d; ++r) {
+        for (std::size_t j = d; j >= r; --j) {
+            const double low = c.knots[s + j - d], high = c.knots[s + j + 1 - r];
+            left[j] = (high - a) / (high - low) * left[j - 1] + (a - low) / (high - low) * left[j];
+        }
+        right[d - r] = left[d];
+    }
+    for (std::size_t r = 1; r <= d; ++r)
+        for (std::size_t i = d; i >= r; --i) {
+            const double high = c.knots[s + i + 1 - r];
+            right[i] = (high - b) / (high - a) * right[i - 1] + (b - a) / (high - a) * right[i];
+        }
+    return right;
+}
+
+/// max |second derivative| over [a, b], inside interval s, a < b: the longest of its Bezier points there.
+/// For cubics it is exact, as it is linear; for all it can only shrink when [a, b] does.  Infinite where
+/// knots are so close that it has no value.
 template <CurvePoint P>
 double largest_second_derivative(const Spline<P>& second, std::size_t s, double a, double b) {
+    const auto points = bezier_points(second, s, a, b);
     double largest = 0;
     for (int k = 0; k <= second.degree; ++k) {
-        const P point = blossom(second, s, [&](std::size_t r) { return static_cast<int>(r) < k ? b : a; });
-        const double length = norm(point);
+        const double length = norm(points[k]);
         if (std::isnan(length)) return std::numeric_limits<double>::infinity();
         largest = std::max(largest, length);
     }
@@ -99,17 +125,24 @@ Result<FlatCurve<P>> flatten(const Spline<P>& curve, double first, double last, 
                        ? 0
                        : std::max(largest, detail::largest_second_derivative(second, s - 2, from, b));
         };
-        const auto fits = [&](double b) { return (b - a) * (b - a) / 8 * reach(b) <= tolerance; };
-        while (!fits(high)) {
-            double inside = std::max(a, low), outside = high;
-            for (double b = std::midpoint(inside, outside); inside < b && b < outside;
-                 b = std::midpoint(inside, outside))
-                (fits(b) ? inside : outside) = b;
+        const auto fits = [&](double b, double bend) { return (b - a) * (b - a) / 8 * bend <= tolerance; };
+        double bend = reach(high);
+        for (; !fits(high, bend); bend = reach(high)) {
+            // The chord that |P''| up to some b allows is too short where b is outside and too long where it
+            // is inside, and close where |P''| hardly changes.  Every third step halves, whatever it does.
+            double inside = std::max(a, low), outside = high, b = high;
+            for (int step = 1;; ++step) {
+                b = step % 3 == 0 ? outside : a + std::sqrt(8 * tolerance / bend);
+                if (!(inside < b && b < outside)) b = std::midpoint(inside, outside);
+                if (!(inside < b && b < outside)) break;
+                bend = reach(b);
+                (fits(b, bend) ? inside : outside) = b;
+            }
             if (!(inside > a))
                 return fail(ErrorCode::TooLarge, "This tolerance needs parameters closer than doubles are.");
             end_chord(inside);
         }
-        largest = reach(high);
+        largest = bend;
     }
     end_chord(last);
     return out;

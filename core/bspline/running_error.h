@@ -21,8 +21,7 @@ namespace loopcheck::core {
 /// Source  running error analysis; [Higham02], section 3.3.
 ///
 /// Law     1. a sum of m >= 2 products, begun at zero, is allowed 5 roundings of every term or more: any
-/// order of
-///         summation, with weights that carry 2, stays within.
+///         order of summation, with weights that carry 2, stays within.
 template <Precision precision>
 struct RunningError {
     using value_type = double;

@@ -68,8 +68,7 @@ std::size_t span_of(const Spline<P>& c, const ScalarOf<P>& t) {
 /// Source  [Ramshaw89]; with equal arguments it is de Boor's algorithm.
 ///
 /// Error   at most kBasisRoundingsPerDegree * degree roundings of the largest |coordinate| in use, where
-/// every
-///         argument is in the interval.
+///         every argument is in the interval and nothing underflows.
 template <CurvePoint P, class Argument>
 P blossom(const Spline<P>& c, std::size_t s, Argument argument) {
     using Scalar = ScalarOf<P>;
@@ -124,7 +123,7 @@ P basis_sum(const Spline<P>& c, const ScalarOf<P>& t, std::size_t first, std::si
 /// Range   t in [first(), last()].  Beyond, DeBoor follows the polynomial at the end; the sums lose weight.
 ///
 /// Error   by each of the three methods, at most `evaluation_roundings(degree)` roundings of the largest
-///         |coordinate| of the control points.
+///         |coordinate| of the control points, and as many smallest subnormals where products underflow.
 ///
 /// Laws    1. AllPoints and Local give the same bits: what they differ in are terms that are zero.
 template <CurvePoint P>

@@ -49,7 +49,8 @@ std::vector<P> subdivide_cubic(const std::vector<P>& c, bool closed) {
 /// places, to 0 for odd degrees and 1/4 for even ones; neighbours are 1/2 apart.
 ///
 /// Source  [Lane80].
-/// Error   `degree` roundings of the largest |coordinate|: halving is exact.
+/// Range   closed: not empty; open: 2 n > degree.
+/// Error   `degree` roundings of the largest |coordinate|: halving is exact but for underflow.
 /// Laws    1. the weights are binomials over 2^degree; 2. for closed cubics it is `subdivide_cubic`.
 template <CurvePoint P>
 std::vector<P> refine_and_average(const std::vector<P>& c, int degree, bool closed) {
@@ -73,6 +74,8 @@ std::vector<P> refine_and_average(const std::vector<P>& c, int degree, bool clos
 /// domain, 2 N - degree points.
 ///
 /// Range   not Clamped: `refine_knots` is for those.
+///
+/// The largest points may become larger, by rounding, than `make` takes.
 template <CurvePoint P>
 Curve<P> subdivide(const Curve<P>& curve) {
     const auto [degree, ends] = curve.shape();
@@ -86,7 +89,10 @@ Curve<P> subdivide(const Curve<P>& curve) {
     } else {
         points = refine_and_average(curve.points(), degree, ends == Ends::Closed);
     }
-    return Curve<P>::make(std::move(points), curve.shape()).value();
+    Curve<P> out;  // not checked: with phantoms a mean may be rounded beyond the largest
+    out.points_ = std::move(points);
+    out.shape_ = curve.shape();
+    return out;
 }
 
 /// Where control point 0 of the subdivided curve belongs, in the parameter of the curve before.

@@ -10,6 +10,7 @@
 #include "compare/cli/cli.h"
 #include "compare/curve/curve_comparison.h"
 #include "compare/curve/lab_report.h"
+#include "compare/report/curve.h"
 #include "core/bspline/points_file.h"
 #include "core/mesh/io/atomic_file.h"
 #include "tests/compare/support.h"
@@ -195,6 +196,23 @@ TEST(CarriedCurve, IsRefusedWhereMemoryIsShort) {
     EXPECT_TRUE(contains(c.at(0).note, "out-of-memory")) << c[0].note;
 }
 
+// ---- the referee of our own curve
+
+TEST(CompareCurve, AgreesWhereCoordinatesAreSubnormal) {
+    for (const double scale : {0x1p-1022, 0x1p-1030, 0x1p-1060, 0x1p-1072})
+        for (int degree = 1; degree <= 8; ++degree)
+            for (const Ends ends : {Ends::Natural, Ends::Closed, Ends::Open, Ends::Clamped}) {
+                std::vector<glm::dvec3> points;
+                for (int i = 0; i < 12; ++i)
+                    points.push_back({scale * std::cos(1.7 * i), scale * std::sin(2.3 * i), scale * i});
+                if (core::check_shape({degree, ends}, points.size())) continue;
+                const auto curve = core::Curve<glm::dvec3>::make(points, {degree, ends}).value();
+                const auto c = compare_curve(curve, 3, quietly);
+                EXPECT_EQ(c.own, Verdict::WithinRounding)
+                    << scale << degree << core::name(ends) << ": " << testing::PrintToString(c.notes);
+            }
+}
+
 // ---- the lab report
 
 TEST(LabReport, CountsWhatTheReportCounted) {
@@ -254,24 +272,26 @@ TEST(CurveCommand, RefusesEveryBadFileWithItsCodeAndLine) {
 
 TEST(CurveCommand, ExitsWithTwoOnBadUsage) {
     const std::string lab = curve_path("lab");
-    const std::vector<std::vector<std::string>> bad{{},
-                                                    {"/no/such/file.txt"},
-                                                    {lab, "--degree", "0"},
-                                                    {lab, "--degree", "21"},
-                                                    {lab, "--degree", "2"},
-                                                    {lab, "--ends", "loose"},
-                                                    {lab, "--ends", "open", "--closed"},
-                                                    {lab, "--levels", "-1"},
-                                                    {lab, "--levels", "30"},
-                                                    {lab, "--tolerance", "0"},
-                                                    {lab, "--tolerance", "nan"},
-                                                    {lab, "--tolerance", "1e-300"},
-                                                    {lab, "--magnify", "5"},
-                                                    {lab, "--compare", "nobody"},
-                                                    {lab, "--csv", lab},
-                                                    {lab, "--svg", "/no/such/folder/x.svg"},
-                                                    {"--section", "ends"},
-                                                    {"--lab-report", "--section", "eq99"}};
+    const std::vector<std::vector<std::string>> bad{
+        {},
+        {"/no/such/file.txt"},
+        {lab, "--degree", "0"},
+        {lab, "--degree", "21"},
+        {lab, "--degree", "2"},
+        {lab, "--ends", "loose"},
+        {lab, "--ends", "open", "--closed"},
+        {lab, "--levels", "-1"},
+        {lab, "--levels", "30"},
+        {lab, "--levels", "0", "--memory", "1e-5", "--matrix", "/dev/null"},
+        {lab, "--tolerance", "0"},
+        {lab, "--tolerance", "nan"},
+        {lab, "--tolerance", "1e-300"},
+        {lab, "--magnify", "5"},
+        {lab, "--compare", "nobody"},
+        {lab, "--csv", lab},
+        {lab, "--svg", "/no/such/folder/x.svg"},
+        {"--section", "ends"},
+        {"--lab-report", "--section", "eq99"}};
     for (const auto& arguments : bad) {
         const Outcome r = loopcheck(arguments);
         EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments);
@@ -329,6 +349,28 @@ TEST(CurveCommand, TakesOpenMeshWhereItHasTheRule) {
     const Outcome r = loopcheck({curve_path("ring"), "--closed", "--levels", "3", "--compare", "openmesh"});
     EXPECT_TRUE(contains(r.out, "within rounding")) << r.out;
     EXPECT_TRUE(contains(r.out, "not supported")) << "it has no creases\n" << r.out;
+}
+
+// A zigzag of so many points that flattening is refused: its quintic keeps to the middle, its polygon does
+// not.
+TEST(CurveReport, DrawsTheCurveAndNotThePolygonWhereItTakesTooManyPoints) {
+    std::vector<glm::dvec3> zigzag;
+    for (int i = 0; i < 100'001; ++i) zigzag.push_back({i, i % 2 == 0 ? 1e5 : -1e5, 0});
+    CurveReport report{"zigzag", 2, core::Curve<glm::dvec3>::make(zigzag, {5, Ends::Open}).value(), {}, {}};
+    report.comparison.levels = core::curve_levels(report.curve, 0);
+    const std::string svg = curve_as_svg(report, 1);
+    const std::size_t polygon = svg.find("<path"), begin = svg.find("<path", polygon + 1);
+    std::istringstream path(svg.substr(begin + 10, svg.find('"', begin + 10) - begin - 10));
+    // The page is 820 high, and half as wide.
+    double x = 0, y = 0, low = 1e9, high = -1e9;
+    for (std::string mark; path >> mark >> y;) {
+        x = std::stod(mark.substr(1));
+        low = std::min(low, y);
+        high = std::max(high, y);
+    }
+    EXPECT_GT(x, 400);
+    // At whole parameters the quintic is (66 - 2 x 26 + 2 x 1)/120 = 16/120 of the zigzag.
+    EXPECT_NEAR(high - low, 820 * 16.0 / 120, 0.01);
 }
 
 TEST(CurveCommand, DrawsWhatIsFlatOrOnePlace) {

@@ -1,4 +1,5 @@
 // The command that holds a bicubic surface against Catmull-Clark.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -84,6 +85,21 @@ TEST(GridCommand, RefusesWhatIsNoGrid) {
     }
     EXPECT_TRUE(
         contains(loopcheck_grid({reject + "not-finite-too-large.txt", "--columns", "2"}).err, ": line 5: "));
+}
+
+// The largest points are larger in double than in float.
+TEST(GridCommand, SaysWhichPrecisionAPointIsTooLargeForAndItsLine) {
+    const tests::TemporaryFolder folder;
+    const std::string points = folder / "points.txt";
+    for (const char* large : {"1e30", "3e38", "1e200"}) {
+        ASSERT_TRUE(core::write_file(points, fmt::format("# x y\n0 0\n1 0\n\n0 {}\n1 1\n", large)));
+        const Outcome r = loopcheck_grid({points, "--columns", "2"});
+        EXPECT_EQ(r.code, 2) << large;
+        EXPECT_TRUE(contains(r.err, ": line 5: In float: ")) << r.err;
+    }
+    ASSERT_TRUE(core::write_file(points, "0 0\n1 0\n0 1e300\n1 1\n"));
+    const Outcome r = loopcheck_grid({points, "--columns", "2"});
+    EXPECT_TRUE(contains(r.err, ": line 3: In double: ")) << r.err;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "compare/curve/tensor_comparison.h"
 #include "compare/referee.h"
 #include "compare/report/report.h"
+#include "core/mesh/io/atomic_file.h"
 #include "tests/compare/support.h"
 
 namespace loopcheck::compare {
@@ -142,6 +143,30 @@ TEST(MemoryEstimate, CoversACurve) {
                   {"curve", std::string(LOOPCHECK_MODELS_DIR) + "/curves/wandering.txt", "--levels",
                    std::to_string(kLevel), "--csv", testing::TempDir() + "memory.csv"},
                   std::ldexp(kPoints, kLevel));
+}
+
+// At level 0, where the least is shared, and the rows of the matrix, which are in fractions.
+TEST(MemoryEstimate, CoversACurveOfManyPointsAndItsMatrix) {
+    constexpr int kPoints = 40'000, kDegree = 7;
+    const std::string points = testing::TempDir() + "memory.txt";
+    std::string text;
+    for (int i = 0; i < kPoints; ++i) text += std::to_string(std::cos(i)) + " " + std::to_string(i) + "\n";
+    ASSERT_TRUE(core::write_file(points, text));
+    std::vector<std::string> arguments{"curve", points, "--levels", "0", "--degree", std::to_string(kDegree)};
+    expect_covers(kCurveBytesPerPoint * 1.25, arguments, kPoints);  // a quarter is the program itself
+    arguments.insert(arguments.end(), {"--matrix", "/dev/null"});
+    expect_covers(kCurveBytesPerPoint + (kDegree + 1) * kMatrixBytesPerWeight, arguments, kPoints);
+}
+
+TEST(MemoryEstimate, CoversAGridThatIsAllRows) {
+    constexpr int kRows = 4000;
+    const std::string points = testing::TempDir() + "memory.txt";
+    std::string text;
+    for (int i = 0; i < 2 * kRows; ++i) text += std::to_string(i % 2) + " " + std::to_string(i / 2) + "\n";
+    ASSERT_TRUE(core::write_file(points, text));
+    const double program = 8e6;  // bytes
+    expect_covers(kGridBytesPerVertex + (kGridBytesPerLine * (kRows + 2) + program) / (2 * kRows),
+                  {"grid", points, "--columns", "2", "--levels", "0"}, 2 * kRows);
 }
 
 TEST(MemoryEstimate, CoversAGrid) {

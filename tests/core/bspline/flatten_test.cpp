@@ -143,6 +143,29 @@ TEST(Flatten, JudgesByTheSecondDerivativeItself) {
         }
 }
 
+TEST(BezierPoints, AreBlossomsAtTheEndsOfThePart) {
+    Observed use("Difference of two ways to Bezier points over their roundings", "degree", 1);
+    for (int degree = 1; degree <= kMaxDegree; ++degree)
+        for (const Ends ends : {Ends::Open, Ends::Clamped}) {
+            const auto spline = spline_of(curve_of(winding_points(24), {degree, ends}));
+            const double largest = 27;
+            for (auto s = static_cast<std::size_t>(degree); s < spline.points.size(); ++s)
+                for (const auto& [u, v] : {std::pair{0.0, 1.0}, {0.0, 0x1p-40}, {0.3, 0.6}, {0.875, 1.0}}) {
+                    const double a = spline.knots[s] + u, b = spline.knots[s] + v;
+                    const auto points = detail::bezier_points(spline, s, a, b);
+                    for (int k = 0; k <= degree; ++k) {
+                        const glm::dvec2 wanted = blossom(
+                            spline, s, [&](std::size_t r) { return static_cast<int>(r) < k ? b : a; });
+                        // Each by as many convex combinations as the degree, or twice as many.
+                        const double bound =
+                            rounding_of(3 * kBasisRoundingsPerDegree * degree, Precision::Double) * largest;
+                        use.add(magnitude(points[k] - wanted) / bound, degree);
+                    }
+                }
+        }
+    use.check();
+}
+
 TEST(Flatten, ShrinksItsCriterionWithTheChord) {
     for (int degree = 2; degree <= 8; ++degree) {
         const auto spline = spline_of(curve_of(winding_points(12), {degree, Ends::Closed}));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -187,6 +188,23 @@ TEST(Subdivide, LeavesTheCurveAsItIs) {
                     << name(shape.ends) << ", degree " << shape.degree << ", " << n << " points, t " << t;
         }
     }
+}
+
+// With phantoms beyond the largest a point may be rounded up to more than a curve may be made of.
+TEST(Subdivide, TakesTheLargestPoints) {
+    const double largest = std::numeric_limits<double>::max() * 0x1p-24;
+    bool beyond = false;
+    for (int degree = 3; degree <= 19; degree += 2)
+        for (int pattern = 0; pattern < 1000; ++pattern) {
+            const std::vector<double> points{largest, largest * std::cos(pattern),
+                                             largest * std::sin(3 * pattern), largest};
+            const auto refined = subdivide(curve_of(points, {degree, Ends::Natural}));
+            for (const double x : refined.points()) {
+                ASSERT_LE(std::abs(x), largest * (1 + degree * 0x1p-52)) << degree << " " << pattern;
+                beyond = beyond || x > largest;
+            }
+        }
+    EXPECT_TRUE(beyond);
 }
 
 TEST(Subdivide, MakesAsManyPointsAsItSays) {
