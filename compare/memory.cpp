@@ -62,6 +62,13 @@ double available_memory() {
     return std::max(0.0, std::min({meminfo_available(), control_group_left(), address_space_left()}));
 }
 
+std::optional<core::Error> check_memory(std::string_view what, double bytes, double limit) {
+    if (bytes <= limit) return std::nullopt;
+    return core::Error{core::ErrorCode::OutOfMemory,
+                       fmt::format("{} and needs about {}; {} may be used (--memory sets the limit).", what,
+                                   in_gib(bytes), in_gib(limit))};
+}
+
 std::optional<core::Error> check_memory(const core::TriangleMesh& mesh, int levels, double bytes_per_vertex,
                                         double limit) {
     const LevelSize size = level_size(mesh, levels);
@@ -70,13 +77,9 @@ std::optional<core::Error> check_memory(const core::TriangleMesh& mesh, int leve
             core::ErrorCode::TooLarge,
             fmt::format("Level {} would have {:.3g} faces; at most 2^31 - 1 corners can be numbered.", levels,
                         size.faces)};
-    const double needed = size.vertices * bytes_per_vertex;
-    if (needed <= limit) return std::nullopt;
-    return core::Error{
-        core::ErrorCode::OutOfMemory,
-        fmt::format("Level {} has {:.0f} vertices and {:.0f} faces and needs about {}; {} may be used "
-                    "(--memory sets the limit).",
-                    levels, size.vertices, size.faces, in_gib(needed), in_gib(limit))};
+    return check_memory(
+        fmt::format("Level {} has {:.0f} vertices and {:.0f} faces", levels, size.vertices, size.faces),
+        size.vertices * bytes_per_vertex, limit);
 }
 
 }  // namespace loopcheck::compare

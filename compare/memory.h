@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "core/mesh/error.h"
 #include "core/mesh/triangle_mesh.h"
@@ -21,6 +22,9 @@ inline constexpr double kWrittenBytesPerVertex = 150;
 /// Memory this process may still take, in bytes: the least of what the machine has available, what its
 /// control group (version 2) leaves, and the limit on its address space.
 double available_memory();
+
+/// OutOfMemory where `bytes` do not fit into `limit`: "`what` and needs about 3 GiB; 2 GiB may be used".
+std::optional<core::Error> check_memory(std::string_view what, double bytes, double limit);
 
 /// OutOfMemory, with the number needed, where `levels` levels at `bytes_per_vertex` do not fit into `limit`
 /// bytes; TooLarge where they cannot be numbered.

@@ -7,6 +7,7 @@
 
 #include "compare/cli/command.h"
 #include "compare/curve/lab_report.h"
+#include "compare/memory.h"
 #include "compare/report/curve.h"
 #include "compare/words.h"
 #include "core/bspline/limit.h"
@@ -53,19 +54,15 @@ std::optional<core::Error> check_size(const core::Curve<glm::dvec3>& curve, cons
     const double weights =
         flags.matrix.empty() ? 0 : static_cast<double>(curve.size()) * (curve.shape().degree + 1);
     const double bytes = points * kCurveBytesPerPoint + weights * kMatrixBytesPerWeight;
-    if (bytes <= flags.work.memory_limit()) return std::nullopt;
-    return core::Error{
-        core::ErrorCode::OutOfMemory,
-        fmt::format("{} levels have {:.3g} points and need {:.3g} GiB; fewer levels need less.",
-                    flags.work.levels, points, bytes / 1024 / 1024 / 1024)};
+    return check_memory(fmt::format("Level {} has up to {:.0f} points", flags.work.levels, points), bytes,
+                        flags.work.memory_limit());
 }
 
-core::Result<ToleranceReport> report_tolerance(const core::Curve<glm::dvec3>& curve, double tolerance) {
+ToleranceReport report_tolerance(const core::Curve<glm::dvec3>& curve, double tolerance) {
     ToleranceReport out{.tolerance = tolerance};
     const auto flat =
         core::flatten(core::spline_of(curve), curve.first(), curve.last(), tolerance, kMostFlatPoints);
-    if (!flat) return tl::unexpected(flat.error());
-    out.flat_points = flat->points.size();
+    if (flat) out.flat_points = flat->points.size();
     if (curve.shape().ends == core::Ends::Clamped) return out;
     out.level = core::level_for_tolerance(curve, tolerance);
     out.level_points = core::point_count(curve.shape(), curve.size(), *out.level);
@@ -133,14 +130,7 @@ int run_curve(const Context& context, const Flags& flags) {
         return kExitUsage;
     }
     CurveReport report{flags.points, file->dimension, std::move(*curve), {}, std::nullopt};
-    if (flags.tolerance) {
-        const auto tolerance = report_tolerance(report.curve, *flags.tolerance);
-        if (!tolerance) {
-            complain(context, flags.points, tolerance.error());
-            return kExitUsage;
-        }
-        report.tolerance = *tolerance;
-    }
+    if (flags.tolerance) report.tolerance = report_tolerance(report.curve, *flags.tolerance);
     {
         Progress progress(context);
         const auto show = [&](const std::string& line) { progress.show(line); };

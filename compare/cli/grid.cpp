@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "compare/cli/command.h"
+#include "compare/memory.h"
 #include "compare/report/grid.h"
 #include "core/bspline/points_file.h"
 #include "reference/opensubdiv/opensubdiv.h"
@@ -34,11 +35,8 @@ std::optional<core::Error> check_grid(const core::PointsFile& file, const Flags&
     const std::size_t rows = file.points.size() / flags.columns;
     const double lines = std::ldexp(static_cast<double>(rows + flags.columns), flags.work.levels);
     const double bytes = vertices * kGridBytesPerVertex + lines * kGridBytesPerLine;
-    if (bytes <= flags.work.memory_limit()) return std::nullopt;
-    return core::Error{
-        core::ErrorCode::OutOfMemory,
-        fmt::format("{} levels have {:.3g} vertices and need {:.3g} GiB; fewer levels need less.",
-                    flags.work.levels, vertices, bytes / 1024 / 1024 / 1024)};
+    return check_memory(fmt::format("Level {} has up to {:.0f} vertices", flags.work.levels, vertices), bytes,
+                        flags.work.memory_limit());
 }
 
 int run_grid(const Context& context, const Flags& flags) {

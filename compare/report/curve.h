@@ -14,9 +14,10 @@ namespace loopcheck::compare {
 struct ToleranceReport {
     double tolerance = 0;
     std::optional<int> level = {};  ///< the first certified one; nothing for clamped knots
-    std::size_t level_points = 0;   ///< and how many points it has
+    double level_points = 0;        ///< and how many points it has
     double distance = 0;            ///< what is certified of it
-    std::size_t flat_points = 0;    ///< points of the curve itself that are enough
+    std::optional<std::size_t> flat_points =
+        {};  ///< points of the curve itself that are enough; nothing: too many
 };
 
 struct CurveReport {

@@ -57,7 +57,7 @@ Json json_of(const ToleranceReport& t) {
             {"level", t.level ? Json(*t.level) : Json()},
             {"level_points", t.level_points},
             {"distance", t.distance},
-            {"flat_points", t.flat_points}};
+            {"flat_points", t.flat_points ? Json(*t.flat_points) : Json()}};
 }
 
 }  // namespace

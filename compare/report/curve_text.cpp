@@ -75,9 +75,10 @@ std::string carried_table(const CurveComparison& c) {
 std::string tolerance_lines(const ToleranceReport& t) {
     std::string out = fmt::format("\nwithin {}:", core::shortest(t.tolerance));
     if (t.level)
-        out += fmt::format(" level {} ({} points) is the first that is certified, at {:.3g};", *t.level,
+        out += fmt::format(" level {} ({:.15g} points) is the first that is certified, at {:.3g};", *t.level,
                            t.level_points, t.distance);
-    return out + fmt::format(" {} points of the curve itself are enough\n", t.flat_points);
+    return out + (t.flat_points ? fmt::format(" {} points of the curve itself are enough\n", *t.flat_points)
+                                : " the curve itself may take more than a million points\n");
 }
 
 }  // namespace

@@ -30,6 +30,31 @@ struct CurveLimits {
     std::vector<P> tangents;
 };
 
+namespace detail {
+
+/// The first control point that has a limit: all have, but those of an Open curve outside its domain.
+inline std::size_t first_limit(const CurveShape& shape) {
+    return static_cast<std::size_t>(shape.ends == Ends::Open ? shape.degree / 2 : 0);
+}
+
+/// sum_k mask_k c_(i+k), k = -m, ..., m, for every control point i that has a limit.
+template <CurvePoint P>
+std::vector<P> masked(const Curve<P>& curve, const std::vector<ScalarOf<P>>& mask) {
+    const auto m = static_cast<std::int64_t>(mask.size() / 2);
+    const std::size_t first = first_limit(curve.shape());
+    std::vector<P> out;
+    for (std::size_t i = first; i + first < curve.size(); ++i) {
+        P sum{};
+        for (std::int64_t k = -m; k <= m; ++k)
+            sum = sum + mask[static_cast<std::size_t>(k + m)] *
+                            control_point(curve, static_cast<std::int64_t>(i) + k);
+        out.push_back(sum);
+    }
+    return out;
+}
+
+}  // namespace detail
+
 /// Every control point of a Natural or Closed curve has a limit; of an Open one, those in its domain.  At a
 /// natural end it is the point itself; for cubics with the tangent along the polygon.
 ///
@@ -42,22 +67,8 @@ template <CurvePoint P>
 CurveLimits<P> limits(const Curve<P>& curve) {
     using Scalar = ScalarOf<P>;
     const CurveShape& shape = curve.shape();
-    const int m = shape.degree / 2;
-    const bool open = shape.ends == Ends::Open;
-    const auto position = limit_mask<Scalar>(shape.degree, 0), tangent = limit_mask<Scalar>(shape.degree, 1);
-    CurveLimits<P> out;
-    out.first = static_cast<std::size_t>(open ? m : 0);
-    for (std::size_t i = out.first; i + out.first < curve.size(); ++i) {
-        P p{}, t{};
-        for (int k = -m; k <= m; ++k) {
-            const P c = control_point(curve, static_cast<std::int64_t>(i) + k);
-            p = p + position[k + m] * c;
-            t = t + tangent[k + m] * c;
-        }
-        out.positions.push_back(p);
-        out.tangents.push_back(t);
-    }
-    return out;
+    return {detail::first_limit(shape), detail::masked(curve, limit_mask<Scalar>(shape.degree, 0)),
+            detail::masked(curve, limit_mask<Scalar>(shape.degree, 1))};
 }
 
 /// The second differences c_(i-1) - 2 c_i + c_(i+1) that the curve depends on, the largest length of one.

@@ -24,9 +24,8 @@ struct Row {
 
 }  // namespace
 
-std::size_t point_count(const CurveShape& shape, std::size_t control_points, int level) {
-    std::size_t n = control_points;
-    const auto d = static_cast<std::size_t>(shape.degree);
+double point_count(const CurveShape& shape, std::size_t control_points, int level) {
+    auto n = static_cast<double>(control_points);
     for (int l = 0; l < level; ++l) switch (shape.ends) {
             case Ends::Natural:
                 n = 2 * n - 1;
@@ -36,7 +35,7 @@ std::size_t point_count(const CurveShape& shape, std::size_t control_points, int
                 break;
             case Ends::Open:
             case Ends::Clamped:
-                n = 2 * n - d;  // as many more as there are intervals, n - d
+                n = 2 * n - shape.degree;  // as many more as there are intervals, n - degree
                 break;
         }
     return n;

@@ -273,23 +273,15 @@ Result<SurfaceLimits<P>> limits(const TensorSurface<P>& surface) {
     if (u.ends == Ends::Clamped || v.ends == Ends::Clamped || u.degree < 2 || v.degree < 2)
         return fail(ErrorCode::Unsupported,
                     "Limit masks are for uniform knots and degrees of 2 and more, in both directions.");
-    const auto positions = [](const CurveShape& shape) {
-        return [&shape](std::vector<P> points) {
-            return limits(detail::curve_of(std::move(points), shape)).positions;
+    const auto masked = [](const CurveShape& shape, int r) {
+        return [&shape, mask = limit_mask<ScalarOf<P>>(shape.degree, r)](std::vector<P> points) {
+            return detail::masked(detail::curve_of(std::move(points), shape), mask);
         };
     };
-    const auto tangents = [](const CurveShape& shape) {
-        return [&shape](std::vector<P> points) {
-            return limits(detail::curve_of(std::move(points), shape)).tangents;
-        };
-    };
-    const auto first = [](const CurveShape& shape) {
-        return static_cast<std::size_t>(shape.ends == Ends::Open ? shape.degree / 2 : 0);
-    };
-    const Grid<P> rows = with_rows(surface.grid(), positions(u));
-    return SurfaceLimits<P>{first(v), first(u), with_columns(rows, positions(v)),
-                            with_columns(with_rows(surface.grid(), tangents(u)), positions(v)),
-                            with_columns(rows, tangents(v))};
+    const Grid<P> rows = with_rows(surface.grid(), masked(u, 0));
+    return SurfaceLimits<P>{detail::first_limit(v), detail::first_limit(u), with_columns(rows, masked(v, 0)),
+                            with_columns(with_rows(surface.grid(), masked(u, 1)), masked(v, 0)),
+                            with_columns(rows, masked(v, 1))};
 }
 
 }  // namespace loopcheck::core

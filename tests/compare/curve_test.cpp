@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "compare/cli/cli.h"
 #include "compare/curve/curve_comparison.h"
 #include "compare/curve/lab_report.h"
 #include "compare/report/curve.h"
@@ -23,6 +22,7 @@ namespace {
 
 using core::CurveShape;
 using core::Ends;
+using test::Outcome;
 using tests::contains;
 
 constexpr double kPlenty = 1e11;  // bytes
@@ -42,15 +42,9 @@ int test_levels(int levels) {
 
 void quietly(const std::string&) {}
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-Outcome loopcheck(std::vector<std::string> arguments) {
+Outcome loopcheck_curve(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "curve");
-    std::ostringstream out, err;
-    const int code = run(arguments, built_in_subjects(), out, err);
-    return {code, out.str(), err.str()};
+    return test::loopcheck(arguments);
 }
 
 // ---- every curve of models/curves
@@ -248,7 +242,7 @@ TEST(LabReport, HasEverySectionByName) {
         const std::string text = lab_report_as_text(section);
         EXPECT_FALSE(text.empty());
         EXPECT_TRUE(contains(all, text)) << section;
-        EXPECT_EQ(loopcheck({"--lab-report", "--section", std::string(section)}).out, text);
+        EXPECT_EQ(loopcheck_curve({"--lab-report", "--section", std::string(section)}).out, text);
     }
     EXPECT_TRUE(contains(lab_report_as_text("basis"), "0.229167"));
     EXPECT_TRUE(contains(lab_report_as_text("orders"), "0.75"));
@@ -262,7 +256,7 @@ TEST(CurveCommand, RefusesEveryBadFileWithItsCodeAndLine) {
     for (const std::string& file : files) {
         const auto bytes = core::read_file(file).value();
         const std::string code = bytes.substr(10, bytes.find(':', 10) - 10);  // "# reject: code: why"
-        const Outcome r = loopcheck({file});
+        const Outcome r = loopcheck_curve({file});
         EXPECT_EQ(r.code, 2) << file;
         EXPECT_EQ(r.out, "") << file;
         EXPECT_TRUE(contains(r.err, "[" + code + "]")) << r.err;
@@ -301,7 +295,7 @@ TEST(CurveCommand, ExitsWithTwoOnBadUsage) {
 
 TEST(CurveCommand, ExitsWithThreeWhereThePeerCannotDoIt) {
     const Outcome r =
-        loopcheck({curve_path("lab"), "--ends", "clamped", "--levels", "2", "--compare", "opensubdiv"});
+        loopcheck_curve({curve_path("lab"), "--ends", "clamped", "--levels", "2", "--compare", "opensubdiv"});
     EXPECT_EQ(r.code, 3);
     EXPECT_TRUE(contains(r.out, "verdict: not supported")) << r.out;
 }
@@ -310,9 +304,9 @@ TEST(CurveCommand, WritesWhatItSays) {
     const tests::TemporaryFolder folder;
     const std::string csv = folder / "c.csv", json = folder / "c.json", svg = folder / "c.svg",
                       matrix = folder / "c.mtx";
-    const Outcome r =
-        loopcheck({curve_path("lab"), "--levels", "3", "--compare", "opensubdiv", "--tolerance", "0.001",
-                   "--csv", csv, "--json", json, "--svg", svg, "--magnify", "20", "--matrix", matrix});
+    const Outcome r = loopcheck_curve({curve_path("lab"), "--levels", "3", "--compare", "opensubdiv",
+                                       "--tolerance", "0.001", "--csv", csv, "--json", json, "--svg", svg,
+                                       "--magnify", "20", "--matrix", matrix});
     ASSERT_EQ(r.code, 0) << r.err << r.out;
     EXPECT_EQ(r.err, "");
 
@@ -344,9 +338,18 @@ TEST(CurveCommand, WritesWhatItSays) {
     EXPECT_TRUE(contains(core::read_file(matrix).value(), "\n15 8 "));
 }
 
+TEST(CurveCommand, KnowsTheLevelWhereThePointsAreTooMany) {
+    const Outcome r = loopcheck_curve({curve_path("lab"), "--levels", "1", "--tolerance", "1e-18"});
+    EXPECT_EQ(r.code, 0);
+    // 4^-k sqrt(2)/6 <= 1e-18 from k = 29 on; 7 intervals.
+    EXPECT_TRUE(contains(r.out, "level 29 (3758096385 points)")) << r.out;
+    EXPECT_TRUE(contains(r.out, "more than a million points")) << r.out;
+}
+
 TEST(CurveCommand, TakesOpenMeshWhereItHasTheRule) {
     if (find_subject(built_in_subjects(), "openmesh") == nullptr) return;  // built without it
-    const Outcome r = loopcheck({curve_path("ring"), "--closed", "--levels", "3", "--compare", "openmesh"});
+    const Outcome r =
+        loopcheck_curve({curve_path("ring"), "--closed", "--levels", "3", "--compare", "openmesh"});
     EXPECT_TRUE(contains(r.out, "within rounding")) << r.out;
     EXPECT_TRUE(contains(r.out, "not supported")) << "it has no creases\n" << r.out;
 }
@@ -378,8 +381,9 @@ TEST(CurveCommand, DrawsWhatIsFlatOrOnePlace) {
     for (const char* name : {"one-place", "straight-even", "two-points"})
         for (const char* degree : {"1", "3", "5"}) {
             const std::string svg = folder / "x.svg";
-            EXPECT_EQ(loopcheck({curve_path(name), "--degree", degree, "--levels", "2", "--svg", svg}).code,
-                      0);
+            EXPECT_EQ(
+                loopcheck_curve({curve_path(name), "--degree", degree, "--levels", "2", "--svg", svg}).code,
+                0);
             const std::string text = core::read_file(svg).value();
             EXPECT_FALSE(contains(text, "nan") || contains(text, "inf")) << name << degree << text;
         }

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "compare/cli/cli.h"
-#include "compare/subject.h"
 #include "core/mesh/io/atomic_file.h"
+#include "tests/compare/support.h"
 #include "tests/support/models.h"
 #include "tests/support/results.h"
 #include "tests/support/temporary_folder.h"
@@ -15,21 +13,16 @@
 namespace loopcheck::compare {
 namespace {
 
+using test::Outcome;
 using tests::contains;
 
 std::string grid_path(const std::string& name) {
     return LOOPCHECK_MODELS_DIR "/grids/" + name + ".txt";
 }
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
 Outcome loopcheck_grid(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "grid");
-    std::ostringstream out, err;
-    const int code = run(arguments, built_in_subjects(), out, err);
-    return {code, out.str(), err.str()};
+    return test::loopcheck(arguments);
 }
 
 TEST(GridCommand, AgreesOnEveryModelHoweverItIsClosed) {

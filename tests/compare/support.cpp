@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
 
+#include "compare/cli/cli.h"
 #include "core/loop/limit.h"
 #include "core/loop/refine.h"
 
@@ -62,6 +64,12 @@ Subject in_the_name_of_opensubdiv(Subject subject) {
     subject.family = "opensubdiv";
     subject.has_weight_option = false;
     return subject;
+}
+
+Outcome loopcheck(const std::vector<std::string>& arguments, const std::vector<Subject>& subjects) {
+    std::ostringstream out, err;
+    const int code = run(arguments, subjects, out, err);
+    return {code, out.str(), err.str()};
 }
 
 const Subject& subject(const std::string& name) {

@@ -32,6 +32,14 @@ Subject cheat_limits(const std::string& name, SpoilLimits spoil);
 /// The subject, taken for OpenSubdiv: known deviations are expected of it.
 Subject in_the_name_of_opensubdiv(Subject subject);
 
+/// The program run with these arguments: its exit code and what it printed.
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+Outcome loopcheck(const std::vector<std::string>& arguments,
+                  const std::vector<Subject>& subjects = built_in_subjects());
+
 /// The built-in subject of that name.
 const Subject& subject(const std::string& name);
 

@@ -72,17 +72,17 @@ TEST(Split, NumbersTheSquareAsWrittenByHand) {
 }
 
 TEST(Split, NamesTheAncestorsOfTheSquare) {
-    using Kind = Ancestor::Kind;
+    using From = Ancestor::Kind;
     EXPECT_EQ(ancestors_of_split(tests::mesh_of(tests::square()).topology()),
-              (std::vector<Ancestor>{{Kind::Vertex, 0},
-                                     {Kind::Vertex, 1},
-                                     {Kind::Vertex, 2},
-                                     {Kind::Vertex, 3},
-                                     {Kind::Edge, 0},
-                                     {Kind::Edge, 1},
-                                     {Kind::Edge, 2},
-                                     {Kind::Edge, 4},
-                                     {Kind::Edge, 5}}));
+              (std::vector<Ancestor>{{From::Vertex, 0},
+                                     {From::Vertex, 1},
+                                     {From::Vertex, 2},
+                                     {From::Vertex, 3},
+                                     {From::Edge, 0},
+                                     {From::Edge, 1},
+                                     {From::Edge, 2},
+                                     {From::Edge, 4},
+                                     {From::Edge, 5}}));
 }
 
 // An edge by what it joins: its ends and its faces.
