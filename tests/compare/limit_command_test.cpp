@@ -236,7 +236,7 @@ TEST(LimitCommand, ExitsWithTwoOnBadUsage) {
                                                     {"atlas", "--levels", "2,x"},
                                                     {"atlas", "--method", "nurbs"}};
     for (const auto& arguments : bad) {
-        const auto r = loopcheck(arguments);
+        const auto r = test::loopcheck(arguments);
         EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments);
         EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
     }
