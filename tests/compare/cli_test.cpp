@@ -20,19 +20,8 @@
 namespace loopcheck::compare {
 namespace {
 
+using test::loopcheck;
 using test::model_path;
-
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
-Outcome loopcheck(const std::vector<std::string>& arguments,
-                  std::vector<Subject> subjects = built_in_subjects()) {
-    std::ostringstream out, err;
-    const int code = run(arguments, subjects, out, err);
-    return {code, out.str(), err.str()};
-}
 
 #define EXPECT_SAYS(text, what) EXPECT_NE((text).find(what), std::string::npos) << (text)
 

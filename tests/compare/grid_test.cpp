@@ -2,12 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "compare/cli/cli.h"
-#include "compare/subject.h"
 #include "core/mesh/io/atomic_file.h"
-#include "tests/support/models.h"
+#include "tests/compare/support.h"
 #include "tests/support/results.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,15 +17,9 @@ std::string grid_path(const std::string& name) {
     return LOOPCHECK_MODELS_DIR "/grids/" + name + ".txt";
 }
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-Outcome loopcheck_grid(std::vector<std::string> arguments) {
+test::Outcome loopcheck_grid(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "grid");
-    std::ostringstream out, err;
-    const int code = run(arguments, built_in_subjects(), out, err);
-    return {code, out.str(), err.str()};
+    return test::loopcheck(arguments);
 }
 
 TEST(GridCommand, AgreesOnEveryModelHoweverItIsClosed) {
@@ -38,7 +29,7 @@ TEST(GridCommand, AgreesOnEveryModelHoweverItIsClosed) {
         for (const auto& way : ways) {
             std::vector<std::string> arguments{grid_path(name), "--columns", columns, "--levels", "3"};
             arguments.insert(arguments.end(), way.begin(), way.end());
-            const Outcome r = loopcheck_grid(arguments);
+            const test::Outcome r = loopcheck_grid(arguments);
             EXPECT_EQ(r.code, 0) << r.out << r.err;
             EXPECT_TRUE(contains(r.out, "verdict: agree")) << r.out;
         }
@@ -77,7 +68,7 @@ TEST(GridCommand, RefusesWhatIsNoGrid) {
                                                     {reject + "not-finite-point.txt", "--columns", "2"},
                                                     {reject + "not-finite-too-large.txt", "--columns", "2"}};
     for (const auto& arguments : bad) {
-        const Outcome r = loopcheck_grid(arguments);
+        const test::Outcome r = loopcheck_grid(arguments);
         EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments) << r.out;
         EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
         EXPECT_EQ(r.out, "") << testing::PrintToString(arguments);

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
-#include <sstream>
 
-#include "compare/cli/cli.h"
 #include "compare/report/surface.h"
 #include "tests/compare/support.h"
 #include "tests/support/meshes.h"
@@ -157,17 +155,6 @@ TEST_P(LimitEveryModel, IsAsPredictedByEveryWay) {
 INSTANTIATE_TEST_SUITE_P(Models, LimitEveryModel, testing::ValuesIn(tests::model_files()),
                          tests::model_test_name);
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
-Outcome loopcheck(const std::vector<std::string>& arguments) {
-    std::ostringstream out, err;
-    const int code = run(arguments, built_in_subjects(), out, err);
-    return {code, out.str(), err.str()};
-}
-
 TEST(SurfaceComparison, FailsWhereWhatShowsIsNotOnTheList) {
     const core::TriangleMesh mesh = test::model_mesh("icosahedron");
     SurfaceComparison c = report_of(mesh, {}, "bfr", reference::opensubdiv_surface).comparisons[0];
@@ -249,23 +236,23 @@ TEST(LimitCommand, ExitsWithTwoOnBadUsage) {
                                                     {"atlas", "--levels", "2,x"},
                                                     {"atlas", "--method", "nurbs"}};
     for (const auto& arguments : bad) {
-        const auto r = loopcheck(arguments);
+        const auto r = test::loopcheck(arguments);
         EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments);
         EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
     }
 }
 
 TEST(LimitCommand, ExitsWithThreeWhereNothingCanBeCompared) {
-    const auto r = loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"});
+    const auto r = test::loopcheck({"limit", test::model_path("boundary-none"), "--method", "bfr"});
     EXPECT_EQ(r.code, 3);
     EXPECT_NE(r.out.find("with the boundary option none there is no surface there"), std::string::npos)
         << r.out;
-    EXPECT_EQ(loopcheck({"limit", test::model_path("icosahedron"), "--weights", "warren"}).code, 3);
+    EXPECT_EQ(test::loopcheck({"limit", test::model_path("icosahedron"), "--weights", "warren"}).code, 3);
 }
 
 TEST(LimitCommand, SaysWhatItFound) {
     const auto r =
-        loopcheck({"limit", test::model_path("icosahedron"), "--method", "bfr", "--samples", "12"});
+        test::loopcheck({"limit", test::model_path("icosahedron"), "--method", "bfr", "--samples", "12"});
     EXPECT_EQ(r.code, 0) << r.out;
     EXPECT_NE(r.out.find("interior 5"), std::string::npos) << r.out;
     EXPECT_NE(r.out.find("verdict: known deviation"), std::string::npos) << r.out;

@@ -4,7 +4,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
+#include <utility>
 
+#include "compare/cli/cli.h"
 #include "core/loop/limit.h"
 #include "core/loop/refine.h"
 
@@ -21,6 +24,12 @@ core::TriangleMesh model_mesh(const std::string& name) {
         std::abort();
     }
     return std::move(model->mesh);
+}
+
+Outcome loopcheck(const std::vector<std::string>& arguments, std::vector<Subject> subjects) {
+    std::ostringstream out, err;
+    const int code = run(arguments, subjects, out, err);
+    return {code, out.str(), err.str()};
 }
 
 Subject cheat(const std::string& name, Spoil spoil) {

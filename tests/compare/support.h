@@ -1,4 +1,4 @@
-// Models by name, and subjects that cheat: what the referee must see through.
+// Models by name, subjects that cheat (what the referee must see through), and runs of the program.
 #pragma once
 
 #include <functional>
@@ -37,6 +37,14 @@ const Subject& subject(const std::string& name);
 
 /// The next double away from zero, n times.
 double ulps_off(double x, int n);
+
+/// What a run of the program left: exit code, standard output, standard error.
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+Outcome loopcheck(const std::vector<std::string>& arguments,
+                  std::vector<Subject> subjects = built_in_subjects());
 
 /// All notes of a comparison in one text.
 std::string notes(const Comparison& comparison);
