@@ -31,12 +31,7 @@ std::optional<core::Error> check_grid(const core::PointsFile& file, const Flags&
             core::ErrorCode::BadSyntax,
             fmt::format("{} points are no whole number of rows of {}.", file.points.size(), flags.columns)};
     const double vertices = std::ldexp(static_cast<double>(file.points.size()), 2 * flags.work.levels);
-    const double bytes = vertices * kGridBytesPerVertex;
-    if (bytes <= flags.work.memory_limit()) return std::nullopt;
-    return core::Error{
-        core::ErrorCode::OutOfMemory,
-        fmt::format("{} levels have {:.3g} vertices and need {:.3g} GiB; fewer levels need less.",
-                    flags.work.levels, vertices, bytes / 1024 / 1024 / 1024)};
+    return flags.work.check_memory(vertices, "vertices", kGridBytesPerVertex);
 }
 
 int run_grid(const Context& context, const Flags& flags) {
@@ -50,10 +45,13 @@ int run_grid(const Context& context, const Flags& flags) {
         return kExitUsage;
     }
     const core::Grid<glm::dvec3> grid{file->points.size() / flags.columns, flags.columns, file->points};
-    GridReport report{
-        flags.points, grid.rows, grid.columns, ends_of(flags.closed_u), ends_of(flags.closed_v), 0, {}};
-    for (const glm::dvec3& p : grid.points)
-        report.largest_coordinate = std::max(report.largest_coordinate, core::magnitude(p));
+    GridReport report{flags.points,
+                      grid.rows,
+                      grid.columns,
+                      ends_of(flags.closed_u),
+                      ends_of(flags.closed_v),
+                      core::largest_coordinate(grid.points),
+                      {}};
     for (const auto precision : {core::Precision::Double, core::Precision::Float}) {
         Progress progress(context);
         progress.show(

@@ -1,7 +1,10 @@
 // Where the control points of a curve go when subdivision goes on for ever, and how far they are from there.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/bspline/curve.h"
@@ -20,6 +23,11 @@ namespace loopcheck::core {
 /// Error   each weight 3 roundings; Rational exact.  Scalar is float, double, HighPrecision or Rational.
 template <class Scalar>
 std::vector<Scalar> limit_mask(int degree, int r);
+
+/// The first control point that has a limit: the others of an Open curve are outside its domain.
+inline std::size_t first_with_limit(const CurveShape& shape) {
+    return shape.ends == Ends::Open ? static_cast<std::size_t>(shape.degree / 2) : 0;
+}
 
 /// Where the control points from `first` on go: those that have a limit, and the derivative of the curve
 /// there with respect to its own parameter.
@@ -43,10 +51,9 @@ CurveLimits<P> limits(const Curve<P>& curve) {
     using Scalar = ScalarOf<P>;
     const CurveShape& shape = curve.shape();
     const int m = shape.degree / 2;
-    const bool open = shape.ends == Ends::Open;
     const auto position = limit_mask<Scalar>(shape.degree, 0), tangent = limit_mask<Scalar>(shape.degree, 1);
     CurveLimits<P> out;
-    out.first = static_cast<std::size_t>(open ? m : 0);
+    out.first = first_with_limit(shape);
     for (std::size_t i = out.first; i + out.first < curve.size(); ++i) {
         P p{}, t{};
         for (int k = -m; k <= m; ++k) {
@@ -62,8 +69,7 @@ CurveLimits<P> limits(const Curve<P>& curve) {
 
 /// The second differences c_(i-1) - 2 c_i + c_(i+1) that the curve depends on, the largest length of one.
 ///
-/// Natural: inside; those of the phantoms are zero or as long as inner ones.  Closed: all.  Open and Clamped:
-/// inside.
+/// Closed: all.  Else those inside: of a Natural curve's phantoms they are zero or as long as inner ones.
 template <CurvePoint P>
 double largest_second_difference(const Curve<P>& curve) {
     const auto n = static_cast<std::int64_t>(curve.size());
@@ -81,19 +87,23 @@ double largest_second_difference(const Curve<P>& curve) {
 ///
 ///     4^-k (d + 1)/24 max_i |c_(i-1) - 2 c_i + c_(i+1)|
 ///
-/// and, for cubics with natural ends or closed, how far it is: the vertex point of that i is off by exactly
-/// so much.
+/// and, for cubics with natural ends or closed, how far it is: the vertex point of that i is exactly so far.
 ///
 /// Proof   The difference is sum_i K_i(t) (second difference i) with K_i >= 0.  For c_i = i^2 / 2 all second
 ///         differences are 1, and it is (d + 1)/24 at whole t and less between.  Second differences of the
 ///         next level are averages of a quarter of these.
 ///
 /// Range   uniform knots, d >= 2; 0 for d = 1.
+///
+/// Error   at most kPolygonDistanceRoundings roundings of the largest |coordinate|.
 template <CurvePoint P>
 double polygon_distance(const Curve<P>& curve, int level) {
     if (curve.shape().degree == 1) return 0;
     return std::ldexp((curve.shape().degree + 1) / 24.0 * largest_second_difference(curve), -2 * level);
 }
+/// A second difference is at most 4 a coordinate, 4 sqrt(3) < 7 long.  It takes 8 a coordinate, 14 in length,
+/// and kNormRoundings of 7 for `norm`; all that times 21/24 at most, and two of the quotient and the product.
+inline constexpr int kPolygonDistanceRoundings = 56;
 
 /// The first level whose polygon is within `tolerance` of the curve, by `polygon_distance`; uniform knots.
 ///

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,12 +83,7 @@ class TensorSurface {
     static Result<TensorSurface> make(Grid<P> grid, const SurfaceShape& shape) {
         if (auto error = check_surface(shape, grid.rows, grid.columns, grid.points.size()))
             return tl::unexpected(std::move(*error));
-        if constexpr (requires(const P& p) { magnitude(p); })
-            for (std::size_t i = 0; i < grid.points.size(); ++i)
-                if (!(magnitude(grid.points[i]) <= std::numeric_limits<Scalar>::max() * Scalar(0x1p-30)))
-                    return fail(ErrorCode::NotFinite,
-                                "A coordinate is not finite, or too large to be summed.",
-                                {Place::Kind::Point, static_cast<std::int64_t>(i)});
+        if (auto error = check_magnitudes(grid.points, 30)) return tl::unexpected(std::move(*error));
         TensorSurface out;
         out.grid_ = std::move(grid);
         out.shape_ = shape;
@@ -283,11 +277,8 @@ Result<SurfaceLimits<P>> limits(const TensorSurface<P>& surface) {
             return limits(detail::curve_of(std::move(points), shape)).tangents;
         };
     };
-    const auto first = [](const CurveShape& shape) {
-        return static_cast<std::size_t>(shape.ends == Ends::Open ? shape.degree / 2 : 0);
-    };
     const Grid<P> rows = with_rows(surface.grid(), positions(u));
-    return SurfaceLimits<P>{first(v), first(u), with_columns(rows, positions(v)),
+    return SurfaceLimits<P>{first_with_limit(v), first_with_limit(u), with_columns(rows, positions(v)),
                             with_columns(with_rows(surface.grid(), tangents(u)), positions(v)),
                             with_columns(rows, tangents(v))};
 }
