@@ -74,6 +74,15 @@ double WorkFlags::memory_limit() const {
     return memory_gib > 0 ? memory_gib * 1024 * 1024 * 1024 : available_memory();
 }
 
+std::optional<core::Error> WorkFlags::check_memory(double count, std::string_view what,
+                                                   double bytes_each) const {
+    const double bytes = count * bytes_each;
+    if (bytes <= memory_limit()) return std::nullopt;
+    return core::Error{core::ErrorCode::OutOfMemory,
+                       fmt::format("{} levels have {:.3g} {} and need {:.3g} GiB; fewer levels need less.",
+                                   levels, count, what, bytes / 1024 / 1024 / 1024)};
+}
+
 const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision) {
     const Subject* subject = find_subject(context.subjects, name);
     if (subject != nullptr && precision == "float")

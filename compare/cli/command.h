@@ -7,6 +7,7 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/loading.h"
@@ -62,6 +63,8 @@ struct WorkFlags {
     void add_memory_to(CLI::App& command);
     /// In bytes; what is available where nothing was typed.
     double memory_limit() const;
+    /// OutOfMemory where so many points of the last level, of so many bytes each, do not fit.
+    std::optional<core::Error> check_memory(double count, std::string_view what, double bytes_each) const;
 };
 
 /// The subject of that name, or a message and nothing.

@@ -46,12 +46,7 @@ std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context,
 // Points of the last level: at most 2^L times as many.
 std::optional<core::Error> check_size(const core::Curve<glm::dvec3>& curve, const Flags& flags) {
     const double points = std::ldexp(static_cast<double>(curve.size()), flags.work.levels);
-    const double bytes = points * kCurveBytesPerPoint;
-    if (bytes <= flags.work.memory_limit()) return std::nullopt;
-    return core::Error{
-        core::ErrorCode::OutOfMemory,
-        fmt::format("{} levels have {:.3g} points and need {:.3g} GiB; fewer levels need less.",
-                    flags.work.levels, points, bytes / 1024 / 1024 / 1024)};
+    return flags.work.check_memory(points, "points", kCurveBytesPerPoint);
 }
 
 core::Result<ToleranceReport> report_tolerance(const core::Curve<glm::dvec3>& curve, double tolerance) {
