@@ -25,8 +25,8 @@ std::string boost_version();
 ///          orders other than 0, 1 and 2, and order 2 for degrees 1 and 2.
 ///
 /// Error    2^order boost_cardinal_roundings(d) roundings of 1 (see there); relative ones say nothing near
-/// the end of
-///          the support.
+/// the
+///          end of the support.
 ///
 /// Boost's ways (1.74): the slope of degree 1 is the mean of both sides at 0 and +-1, where core/bspline
 /// takes the right one, and goes on as -1 for x > 1 and +1 for x < -1, where it should be 0.  Degree 0, which
