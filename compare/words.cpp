@@ -102,6 +102,10 @@ std::vector<std::string> verdict_in_words(const Comparison& comparison,
     return out;
 }
 
+std::string_view agreement_in_words(Verdict verdict) {
+    return verdict <= Verdict::KnownDeviation ? "agree" : name(verdict);
+}
+
 std::string deviation_in_words(const KnownDeviation& deviation, const Comparison& predicted) {
     double observed = 0, expected = 0;
     for (const LevelResult& level : predicted.levels) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/comparison.h"
@@ -14,6 +15,9 @@ namespace loopcheck::compare {
 std::vector<std::string> verdict_in_words(const Comparison& comparison,
                                           const core::SchemeOptions& subject_rules,
                                           const core::SchemeOptions& reference_rules);
+
+/// "agree" for every verdict that is one, else its name.
+std::string_view agreement_in_words(Verdict verdict);
 
 /// The sentence for a known deviation that shows as predicted.  `predicted` was compared with the rules as
 /// done.

@@ -50,10 +50,13 @@ int run_grid(const Context& context, const Flags& flags) {
         return kExitUsage;
     }
     const core::Grid<glm::dvec3> grid{file->points.size() / flags.columns, flags.columns, file->points};
-    GridReport report{
-        flags.points, grid.rows, grid.columns, ends_of(flags.closed_u), ends_of(flags.closed_v), 0, {}};
-    for (const glm::dvec3& p : grid.points)
-        report.largest_coordinate = std::max(report.largest_coordinate, core::magnitude(p));
+    GridReport report{flags.points,
+                      grid.rows,
+                      grid.columns,
+                      ends_of(flags.closed_u),
+                      ends_of(flags.closed_v),
+                      core::largest_coordinate(grid.points),
+                      {}};
     for (const auto precision : {core::Precision::Double, core::Precision::Float}) {
         Progress progress(context);
         progress.show(

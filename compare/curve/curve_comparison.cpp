@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "compare/memory.h"
 #include "core/bspline/limit.h"
@@ -23,22 +24,15 @@ using DoubleCurve = core::Curve<glm::dvec3>;
 
 constexpr std::size_t kMostSamples = 20000;
 constexpr std::int64_t kMostBasisEvaluations = 4'000'000;
-// What is equal in exact arithmetic is equal to so much of M with 38 digits: fewer than 10^5 roundings of
-// 10^-38.
+// What is equal in exact arithmetic differs by so much of M with 38 digits: fewer than 10^5 roundings.
 constexpr double kEqualInHighPrecision = 1e-33;
-// |second difference| is off by 8 u M a coordinate, its length by 14 u M, and the bound is 7/8 of that or
-// less.
-constexpr double kSecondDifferenceRoundings = 14;
+// The bound is rounded, and so are coordinates and length of the distance itself, which is at most 21/24 of
+// 7 M.
+constexpr int kDistanceRoundings = core::kPolygonDistanceRoundings + 7 * (1 + core::kNormRoundings);
 
-template <class P>
-core::Curve<P> converted(const DoubleCurve& curve) {
-    std::vector<P> points;
-    points.reserve(curve.size());
-    for (const glm::dvec3& p : curve.points()) {
-        using Scalar = core::ScalarOf<P>;
-        points.push_back(P{Scalar(p.x), Scalar(p.y), Scalar(p.z)});
-    }
-    return core::Curve<P>::make(std::move(points), curve.shape()).value();
+template <class To>
+core::Result<core::Curve<core::Point<To>>> converted(const DoubleCurve& curve) {
+    return core::Curve<core::Point<To>>::make(core::convert_points<To>(curve.points()), curve.shape());
 }
 
 template <Precision precision>
@@ -186,7 +180,7 @@ void judge(CurveComparison& c) {
     for (const PolygonStats& p : c.polygons) {
         if (!(p.bound_use <= 1))
             blame(fmt::format("Level {} is farther from 38 digits than rounding explains.", p.level));
-        if (p.allowed && !(p.distance <= *p.allowed + kSecondDifferenceRoundings * c.unit()))
+        if (p.allowed && !(p.distance <= *p.allowed + kDistanceRoundings * c.unit()))
             blame(fmt::format("The polygon of level {} is {} from the curve; {} is allowed.", p.level,
                               p.distance, *p.allowed));
         if (p.limit_error && !(*p.limit_error <= kEqualInHighPrecision))
@@ -204,9 +198,9 @@ struct OwnLevel {
     std::vector<glm::dvec3> bounds;
 };
 
-template <class P, Precision precision>
+template <class Real, Precision precision>
 std::vector<OwnLevel> own_levels(const DoubleCurve& curve, int levels) {
-    const auto ours = core::curve_levels(converted<P>(curve), levels);
+    const auto ours = core::curve_levels(converted<Real>(curve).value(), levels);
     const auto bounds = core::curve_levels(bounds_of<precision>(curve), levels);
     std::vector<OwnLevel> out(ours.size());
     for (std::size_t l = 0; l < ours.size(); ++l) {
@@ -214,11 +208,6 @@ std::vector<OwnLevel> own_levels(const DoubleCurve& curve, int levels) {
         for (const auto& bound : bounds[l].points) out[l].bounds.push_back(bound.error);
     }
     return out;
-}
-
-bool fits_float(const DoubleCurve& curve) {
-    std::vector<glm::vec3> points(curve.points().begin(), curve.points().end());
-    return core::Curve<glm::vec3>::make(std::move(points), curve.shape()).has_value();
 }
 
 CarriedLevel compare_level(int level, const OwnLevel& ours, const core::RefinedLevel& theirs,
@@ -277,10 +266,9 @@ Verdict CurveComparison::worst() const {
 
 CurveComparison compare_curve(const DoubleCurve& curve, int levels, const CurveProgress& progress) {
     CurveComparison out;
-    for (const glm::dvec3& p : core::extended_points(curve))
-        out.largest_coordinate = std::max(out.largest_coordinate, core::magnitude(p));
+    out.largest_coordinate = core::largest_coordinate(core::extended_points(curve));
     out.levels = core::curve_levels(curve, levels);
-    const auto high = converted<HighPoint>(curve);
+    const auto high = converted<HighPrecision>(curve).value();
     const Oracle oracle(high);
     const auto exact = core::curve_levels(high, levels);
     const auto bounds = core::curve_levels(bounds_of<Precision::Double>(curve), levels);
@@ -321,13 +309,13 @@ std::vector<CarriedComparison> compare_carried(const DoubleCurve& curve, int lev
         return out;
     }
     const bool in_float = subject.precision == Precision::Float;
-    if (in_float && !fits_float(curve)) {
+    if (in_float && !converted<float>(curve)) {
         std::vector<CarriedComparison> out(1, blank);
         refuse(out.front(), {core::ErrorCode::Unsupported, "A coordinate is too large for float."});
         return out;
     }
-    const auto ours = in_float ? own_levels<glm::vec3, Precision::Float>(curve, levels)
-                               : own_levels<glm::dvec3, Precision::Double>(curve, levels);
+    const auto ours = in_float ? own_levels<float, Precision::Float>(curve, levels)
+                               : own_levels<double, Precision::Double>(curve, levels);
     std::vector<CarriedComparison> out;
     for (const CarrierKind kind : kinds) {
         progress(fmt::format("{}: {}", subject.name, name(kind)));

@@ -20,11 +20,10 @@ struct PolygonStats {
     std::size_t points = 0;
     std::size_t on_curve = 0;  ///< whose parameter is in the domain; the others have no point of the curve
     double distance = 0;       ///< largest |c_i - P(t_i)|, both exact
-    std::optional<double> allowed = {};  ///< core::polygon_distance; nothing for clamped knots
-    double error = 0;                    ///< largest coordinate of |ours - exact|
-    double bound_use = 0;                ///< largest share of the rounding bound
-    std::optional<double> limit_error =
-        {};  ///< largest |limit of c_i - P(t_i)| in 38 digits, over M; uniform knots
+    std::optional<double> allowed = {};      ///< core::polygon_distance; nothing for clamped knots
+    double error = 0;                        ///< largest coordinate of |ours - exact|
+    double bound_use = 0;                    ///< largest share of the rounding bound
+    std::optional<double> limit_error = {};  ///< of limits, in 38 digits, over M; uniform knots only
 };
 
 /// One way of evaluation in double, at parameters of the last level: ours, and Boost.Math's basis functions.

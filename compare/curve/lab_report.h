@@ -1,11 +1,11 @@
 // What the lab report that this project began with says of curves, and what is true, computed anew.
 #pragma once
 
+#include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 namespace loopcheck::compare {
 

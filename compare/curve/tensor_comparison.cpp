@@ -46,19 +46,9 @@ Grid<dvec3> rounded_to(const Grid<dvec3>& grid, Precision precision) {
     return precision == Precision::Float ? converted<double>(converted<float>(grid)) : grid;
 }
 
-double largest_coordinate(const Grid<dvec3>& grid) {
-    double largest = 0;
-    for (const dvec3& p : grid.points) largest = std::max(largest, core::magnitude(p));
-    return largest;
-}
-
 // NaN is larger than all else, and stays.
 void keep_largest(double& largest, double value) {
     if (!std::isnan(largest) && !(value <= largest)) largest = value;
-}
-
-double use_of(double error, double bound) {
-    return error == 0 ? 0 : error / bound;
 }
 
 void add(TensorMeasure& measure, double difference, double ours, double theirs, double ours_bound,
@@ -273,7 +263,7 @@ core::Result<TensorComparison> compare_tensor(const Grid<dvec3>& given, Ends u, 
                                                            : our_levels<double>(grid, shape, levels);
     if (!ours) return tl::unexpected(ours.error());
     ExactSurface exact(grid, shape);
-    const double largest = largest_coordinate(grid);
+    const double largest = core::largest_coordinate(grid.points);
     TensorComparison out;
     if (levels == 0) out = {Verdict::Failed, "There is no level.", {}};
     std::optional<GridPlaces> places = places_of_grid(grid.rows, grid.columns, u, v);

@@ -87,8 +87,7 @@ std::string curve_as_text(const CurveReport& report) {
     const CurveComparison& c = report.comparison;
     std::string out = header(report) + polygon_table(c) + evaluation_table(c) + carried_table(c);
     if (report.tolerance) out += tolerance_lines(*report.tolerance);
-    const Verdict worst = c.worst();
-    out += fmt::format("\nverdict: {}\n", worst <= Verdict::KnownDeviation ? "agree" : name(worst));
+    out += fmt::format("\nverdict: {}\n", agreement_in_words(c.worst()));
     for (const std::string& note : c.notes) out += fmt::format("  {}\n", note);
     return out;
 }

@@ -59,8 +59,7 @@ std::string grid_as_text(const GridReport& report, std::string_view version) {
         out += level_table(comparison, error_unit(report.largest_coordinate, precision, precision));
         if (!comparison.note.empty()) out += fmt::format("  {}\n", comparison.note);
     }
-    const Verdict worst = report.worst();
-    return out + fmt::format("\nverdict: {}\n", worst <= Verdict::KnownDeviation ? "agree" : name(worst));
+    return out + fmt::format("\nverdict: {}\n", agreement_in_words(report.worst()));
 }
 
 std::string grid_as_json(const GridReport& report, std::span<const Subject> subjects) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,6 +37,21 @@ struct CurveShape {
 /// odd degrees, Closed 3, Open and Clamped degree + 1.
 std::optional<Error> check_shape(const CurveShape& shape, std::size_t count);
 
+/// NotFinite, with the point, where a coordinate is NaN or beyond the largest number over 2^bits, so that a
+/// weighted sum could overflow.  Points without a `magnitude` are exact or have range enough.
+template <CurvePoint P>
+std::optional<Error> check_magnitudes(const std::vector<P>& points, int bits) {
+    if constexpr (requires(const P& p) { magnitude(p); }) {
+        const auto most = std::ldexp(std::numeric_limits<ScalarOf<P>>::max(), -bits);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (!(magnitude(points[i]) <= most))
+                return Error{ErrorCode::NotFinite,
+                             "A coordinate is not finite, or too large to be summed.",
+                             {Place::Kind::Point, static_cast<std::int64_t>(i)}};
+    }
+    return std::nullopt;
+}
+
 /// Control points and shape, known to fit together; finite.
 ///
 /// The parameter: with uniform knots basis function i is centred at t = i, and the domain is
@@ -50,12 +68,7 @@ class Curve {
     ///          largest number over 2^24, so that a weighted sum could overflow.
     static Result<Curve> make(std::vector<P> points, const CurveShape& shape) {
         if (auto error = check_shape(shape, points.size())) return tl::unexpected(std::move(*error));
-        if constexpr (requires(const P& p) { magnitude(p); })
-            for (std::size_t i = 0; i < points.size(); ++i)
-                if (!(magnitude(points[i]) <= std::numeric_limits<Scalar>::max() * Scalar(0x1p-24)))
-                    return fail(ErrorCode::NotFinite,
-                                "A coordinate is not finite, or too large to be summed.",
-                                {Place::Kind::Point, static_cast<std::int64_t>(i)});
+        if (auto error = check_magnitudes(points, 24)) return tl::unexpected(std::move(*error));
         Curve out;
         out.points_ = std::move(points);
         out.shape_ = shape;

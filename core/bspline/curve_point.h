@@ -5,6 +5,7 @@
 #include <concepts>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "core/mesh/high_precision.h"
 #include "core/mesh/point.h"
@@ -56,7 +57,19 @@ Real magnitude(const glm::vec<D, Real>& p) {
     return largest;
 }
 
+/// The largest |coordinate| of all points, 0 of none; NaN where one is.
+template <class P>
+ScalarOf<P> largest_coordinate(const std::vector<P>& points) {
+    ScalarOf<P> largest = 0;
+    for (const P& p : points)
+        if (const auto size = magnitude(p); !(size <= largest) && !std::isnan(largest)) largest = size;
+    return largest;
+}
+
 /// Euclidean length, without overflow on the way.
+///
+/// Error   at most kNormRoundings: three coordinates are scaled, squared, added, and scaled back.
+inline constexpr int kNormRoundings = 5;
 template <std::floating_point Real>
 Real norm(Real p) {
     return std::abs(p);

@@ -1,7 +1,10 @@
 // Where the control points of a curve go when subdivision goes on for ever, and how far they are from there.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/bspline/curve.h"
@@ -21,6 +24,11 @@ namespace loopcheck::core {
 template <class Scalar>
 std::vector<Scalar> limit_mask(int degree, int r);
 
+/// The first control point that has a limit: the others of an Open curve are outside its domain.
+inline std::size_t first_with_limit(const CurveShape& shape) {
+    return shape.ends == Ends::Open ? static_cast<std::size_t>(shape.degree / 2) : 0;
+}
+
 /// Where the control points from `first` on go: those that have a limit, and the derivative of the curve
 /// there with respect to its own parameter.
 template <CurvePoint P>
@@ -32,16 +40,11 @@ struct CurveLimits {
 
 namespace detail {
 
-/// The first control point that has a limit: all have, but those of an Open curve outside its domain.
-inline std::size_t first_limit(const CurveShape& shape) {
-    return static_cast<std::size_t>(shape.ends == Ends::Open ? shape.degree / 2 : 0);
-}
-
 /// sum_k mask_k c_(i+k), k = -m, ..., m, for every control point i that has a limit.
 template <CurvePoint P>
 std::vector<P> masked(const Curve<P>& curve, const std::vector<ScalarOf<P>>& mask) {
     const auto m = static_cast<std::int64_t>(mask.size() / 2);
-    const std::size_t first = first_limit(curve.shape());
+    const std::size_t first = first_with_limit(curve.shape());
     std::vector<P> out;
     for (std::size_t i = first; i + first < curve.size(); ++i) {
         P sum{};
@@ -67,14 +70,13 @@ template <CurvePoint P>
 CurveLimits<P> limits(const Curve<P>& curve) {
     using Scalar = ScalarOf<P>;
     const CurveShape& shape = curve.shape();
-    return {detail::first_limit(shape), detail::masked(curve, limit_mask<Scalar>(shape.degree, 0)),
+    return {first_with_limit(shape), detail::masked(curve, limit_mask<Scalar>(shape.degree, 0)),
             detail::masked(curve, limit_mask<Scalar>(shape.degree, 1))};
 }
 
 /// The second differences c_(i-1) - 2 c_i + c_(i+1) that the curve depends on, the largest length of one.
 ///
-/// Natural: inside; those of the phantoms are zero or as long as inner ones.  Closed: all.  Open and Clamped:
-/// inside.
+/// Closed: all.  Else those inside: of a Natural curve's phantoms they are zero or as long as inner ones.
 template <CurvePoint P>
 double largest_second_difference(const Curve<P>& curve) {
     const auto n = static_cast<std::int64_t>(curve.size());
@@ -92,19 +94,23 @@ double largest_second_difference(const Curve<P>& curve) {
 ///
 ///     4^-k (d + 1)/24 max_i |c_(i-1) - 2 c_i + c_(i+1)|
 ///
-/// and, for cubics with natural ends or closed, how far it is: the vertex point of that i is off by exactly
-/// so much.
+/// and, for cubics with natural ends or closed, how far it is: the vertex point of that i is exactly so far.
 ///
 /// Proof   The difference is sum_i K_i(t) (second difference i) with K_i >= 0.  For c_i = i^2 / 2 all second
 ///         differences are 1, and it is (d + 1)/24 at whole t and less between.  Second differences of the
 ///         next level are averages of a quarter of these.
 ///
 /// Range   uniform knots, d >= 2; 0 for d = 1.
+///
+/// Error   at most kPolygonDistanceRoundings roundings of the largest |coordinate|.
 template <CurvePoint P>
 double polygon_distance(const Curve<P>& curve, int level) {
     if (curve.shape().degree == 1) return 0;
     return std::ldexp((curve.shape().degree + 1) / 24.0 * largest_second_difference(curve), -2 * level);
 }
+/// A second difference is at most 4 a coordinate, 4 sqrt(3) < 7 long.  It takes 8 a coordinate, 14 in length,
+/// and kNormRoundings of 7 for `norm`; all that times 21/24 at most, and two of the quotient and the product.
+inline constexpr int kPolygonDistanceRoundings = 56;
 
 /// The first level whose polygon is within `tolerance` of the curve, by `polygon_distance`; uniform knots.
 ///

@@ -20,8 +20,8 @@ namespace loopcheck::core {
 ///
 /// Source  running error analysis; [Higham02], section 3.3.
 ///
-/// Law     1. a sum of m >= 2 products, begun at zero, is allowed 5 roundings of every term or more: any
-///         order of summation, with weights that carry 2, stays within.
+/// Laws    1. a sum of m >= 2 products, begun at zero, is allowed 5 roundings of every term or more: it stays
+///         within in any order of summation, with weights that carry 2.
 template <Precision precision>
 struct RunningError {
     using value_type = double;

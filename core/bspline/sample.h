@@ -65,7 +65,7 @@ std::array<std::array<Scalar, 4>, 4> difference_rows(std::int64_t s) {
 
 /// Points of the curve at first() + j/s, j = 0, ..., m s, in that order; it has m intervals of knots.
 ///
-///     P(i + k/s) = sum_m w_m(k/s) c_(i-1+m),   w = `cubic_weights`, once for every k
+///     P(i + k/s) = sum_l w_l(k/s) c_(i-1+l),   w = `cubic_weights`, once for every k
 ///
 /// Range   degree 3, not Clamped; 1 <= s <= kMaxSamplesPerInterval.
 ///
@@ -99,8 +99,8 @@ inline constexpr int kTableSampleRoundings = kCubicBasisRoundings + 7;
 /// Error   at most difference_sample_roundings(s) roundings of the largest |coordinate| of points and
 ///         phantoms.
 ///
-/// Laws    1. in exact arithmetic the result is that of `sample_by_table`; 2. every s-th sample
-///         has the bits of that result.
+/// Laws    1. in exact arithmetic the result is that of `sample_by_table`; 2. every s-th sample has the bits
+///         of that result.
 template <CurvePoint P>
 std::vector<P> sample_by_differences(const Curve<P>& curve, int per_interval) {
     const auto rows = detail::difference_rows<ScalarOf<P>>(per_interval);

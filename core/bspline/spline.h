@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,16 +17,16 @@
 
 namespace loopcheck::core {
 
-/// BadKnots, with a sentence, unless 1 <= degree <= kMaxDegree, `point_count` > degree, there are point_count
-/// + degree + 1 knots, ascending and not beyond the largest double over 2^24, none inside the domain more
-/// often than `degree` times, and the first and the last interval of the domain are not empty: then the curve
-/// is continuous, every control point has a say, and sums of knots are finite.
+/// BadKnots, with a sentence, unless 1 <= degree <= kMaxDegree and `point_count` > degree; there are
+/// point_count + degree + 1 knots, ascending and not beyond the largest double over 2^24; none is inside the
+/// domain more than `degree` times; and the first and last interval of the domain are not empty.
+///
+/// Then the curve is continuous, every control point has a say, and sums of knots are finite.
 std::optional<Error> check_knots(std::span<const double> knots, int degree, std::size_t point_count);
 
 /// P(t) = sum_i N_i(t) c_i over knots k, for t in [k_d, k_n]; d the degree, n the number of points.
 ///
-/// Made from a `Curve` by `spline_of`, or from knots of one's own that `check_knots` finds nothing wrong
-/// with.
+/// Made from a `Curve` by `spline_of`, or from knots of one's own that pass `check_knots`.
 template <CurvePoint P>
 struct Spline {
     using Scalar = ScalarOf<P>;

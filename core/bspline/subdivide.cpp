@@ -5,8 +5,7 @@
 namespace loopcheck::core {
 namespace {
 
-// A row of a matrix as a point of a curve: what is done to the points is done to the rows, and gives the
-// matrix.
+// A row of a matrix as a point of a curve: what is done to points is done to rows, and gives the matrix.
 struct Row {
     using value_type = Rational;
     std::map<Index, Rational> weights;

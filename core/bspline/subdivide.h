@@ -1,7 +1,8 @@
 // Subdivision of curves: the cubic rules, refine-and-average for every degree, and the matrix that both are.
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "core/bspline/curve.h"
@@ -20,8 +21,11 @@ namespace loopcheck::core {
 /// Sums are taken from zero, in the order c_(i-1), c_(i+1), c_i, which is OpenSubdiv's: the bits are those of
 /// its boundary vertices.
 ///
-/// Error    4 roundings of the largest |coordinate| a step.
-/// Laws     1. the curve stays the same; 2. max |second difference| is divided by 4.
+/// Range   one point or more.
+///
+/// Error   4 roundings of the largest |coordinate| a step.
+///
+/// Laws    1. the curve stays the same; 2. max |second difference| is divided by 4.
 template <CurvePoint P>
 std::vector<P> subdivide_cubic(const std::vector<P>& c, bool closed) {
     using Scalar = ScalarOf<P>;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,12 +83,7 @@ class TensorSurface {
     static Result<TensorSurface> make(Grid<P> grid, const SurfaceShape& shape) {
         if (auto error = check_surface(shape, grid.rows, grid.columns, grid.points.size()))
             return tl::unexpected(std::move(*error));
-        if constexpr (requires(const P& p) { magnitude(p); })
-            for (std::size_t i = 0; i < grid.points.size(); ++i)
-                if (!(magnitude(grid.points[i]) <= std::numeric_limits<Scalar>::max() * Scalar(0x1p-30)))
-                    return fail(ErrorCode::NotFinite,
-                                "A coordinate is not finite, or too large to be summed.",
-                                {Place::Kind::Point, static_cast<std::int64_t>(i)});
+        if (auto error = check_magnitudes(grid.points, 30)) return tl::unexpected(std::move(*error));
         TensorSurface out;
         out.grid_ = std::move(grid);
         out.shape_ = shape;
@@ -279,7 +273,7 @@ Result<SurfaceLimits<P>> limits(const TensorSurface<P>& surface) {
         };
     };
     const Grid<P> rows = with_rows(surface.grid(), masked(u, 0));
-    return SurfaceLimits<P>{detail::first_limit(v), detail::first_limit(u), with_columns(rows, masked(v, 0)),
+    return SurfaceLimits<P>{first_with_limit(v), first_with_limit(u), with_columns(rows, masked(v, 0)),
                             with_columns(with_rows(surface.grid(), masked(u, 1)), masked(v, 0)),
                             with_columns(rows, masked(v, 1))};
 }

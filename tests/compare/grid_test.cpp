@@ -32,7 +32,7 @@ TEST(GridCommand, AgreesOnEveryModelHoweverItIsClosed) {
         for (const auto& way : ways) {
             std::vector<std::string> arguments{grid_path(name), "--columns", columns, "--levels", "3"};
             arguments.insert(arguments.end(), way.begin(), way.end());
-            const Outcome r = loopcheck_grid(arguments);
+            const test::Outcome r = loopcheck_grid(arguments);
             EXPECT_EQ(r.code, 0) << r.out << r.err;
             EXPECT_TRUE(contains(r.out, "verdict: agree")) << r.out;
         }
@@ -71,7 +71,7 @@ TEST(GridCommand, RefusesWhatIsNoGrid) {
                                                     {reject + "not-finite-point.txt", "--columns", "2"},
                                                     {reject + "not-finite-too-large.txt", "--columns", "2"}};
     for (const auto& arguments : bad) {
-        const Outcome r = loopcheck_grid(arguments);
+        const test::Outcome r = loopcheck_grid(arguments);
         EXPECT_EQ(r.code, 2) << testing::PrintToString(arguments) << r.out;
         EXPECT_NE(r.err, "") << testing::PrintToString(arguments);
         EXPECT_EQ(r.out, "") << testing::PrintToString(arguments);

@@ -1,4 +1,4 @@
-// Models by name, and subjects that cheat: what the referee must see through.
+// Models by name, subjects that cheat (what the referee must see through), and runs of the program.
 #pragma once
 
 #include <functional>

@@ -301,6 +301,25 @@ TEST(Magnitude, IsTheLargestCoordinateAndNaNWhereOneIs) {
     }
 }
 
+TEST(Norm, IsWithinItsRoundings) {
+    Observed use("Error of a length, in roundings over the most", "point", 1);
+    std::int64_t place = 0;
+    for (const auto& p : tests::scattered_points<glm::dvec3>(1000, 11)) {
+        const High exact = sqrt(High(p.x) * p.x + High(p.y) * p.y + High(p.z) * p.z);
+        const double bound = rounding_of(kNormRoundings, Precision::Double) * static_cast<double>(exact);
+        use.add(tests::share_of(tests::error_of_value(norm(p), exact), bound), place++);
+    }
+    use.check();
+}
+
+TEST(LargestCoordinate, IsTheLargestMagnitudeAndNaNWhereOneIs) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(largest_coordinate(std::vector<glm::dvec2>{}), 0);
+    EXPECT_EQ(largest_coordinate(std::vector<glm::dvec2>{{1, -7}, {3, 2}}), 7);
+    for (const auto& points : {std::vector<double>{nan, 5}, std::vector<double>{5, nan}})
+        EXPECT_TRUE(std::isnan(largest_coordinate(points)));
+}
+
 TEST(Norm, DoesNotOverflowOnTheWay) {
     EXPECT_EQ(norm(-2.0), 2);
     EXPECT_EQ(norm(glm::dvec2(3, 4)), 5);

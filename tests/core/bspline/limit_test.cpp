@@ -263,6 +263,29 @@ TEST(PolygonDistance, OfACubicIsASixthOfTheSecondDifferenceAtEveryPoint) {
     }
 }
 
+// The same sums, differences and lengths in 38 digits.
+TEST(PolygonDistance, IsWithinItsRoundings) {
+    Observed use("Rounding of the distance of a polygon over its bound", "degree", 1);
+    for (const CurveShape& shape : uniform_shapes(2, kMaxDegree)) {
+        const auto curve = curve_of(tests::scattered_points<glm::dvec3>(24, 5), shape);
+        const auto exact = curve_of(convert_points<High>(curve.points()), shape);
+        const std::int64_t skip = shape.ends == Ends::Closed ? 0 : 1;
+        High longest = 0;
+        for (std::int64_t i = skip; i < 24 - skip; ++i) {
+            const auto d =
+                control_point(exact, i - 1) - High(2) * control_point(exact, i) + control_point(exact, i + 1);
+            longest = std::max(longest, High(sqrt(d.x * d.x + d.y * d.y + d.z * d.z)));
+        }
+        const double bound =
+            rounding_of(kPolygonDistanceRoundings, Precision::Double) * largest_coordinate(curve.points());
+        use.add(tests::share_of(tests::error_of_value(polygon_distance(curve, 0),
+                                                      High(longest * (shape.degree + 1) / 24)),
+                                bound),
+                shape.degree);
+    }
+    use.check();
+}
+
 TEST(PolygonDistance, HasTheValuesOfTheDocumentation) {
     const auto curve = curve_of(tests::report_points(), {3, Ends::Natural});
     const double printed[] = {0.23570226, 0.0589255651, 0.0147313913, 0.00368284782};

@@ -8,6 +8,7 @@
 #include "core/bspline/subdivide.h"
 #include "core/mesh/high_precision.h"
 #include "core/mesh/point.h"
+#include "tests/support/curves.h"
 #include "tests/support/observed.h"
 
 namespace loopcheck::core {
@@ -34,32 +35,29 @@ Curve<P> curve_of(const CurveShape& shape, Convert convert) {
 // Every level of every shape: |computed - exact| against the bound that the same code gives of itself.
 template <class P, Precision precision>
 void observe(Observed& use) {
-    for (int degree = 1; degree <= 6; ++degree)
-        for (const Ends ends : {Ends::Natural, Ends::Closed, Ends::Open, Ends::Clamped}) {
-            const CurveShape shape{degree, ends};
-            if (check_shape(shape, 9)) continue;
-            using HighPoint = Point<HighPrecision>;
-            const auto computed = curve_levels(curve_of<P>(shape, [](const auto& p) { return P(p); }), 5);
-            const auto exact = curve_levels(curve_of<HighPoint>(shape,
-                                                                [](const auto& p) {
-                                                                    return HighPoint{p.x, p.y, p.z};
-                                                                }),
-                                            5);
-            const auto bounds =
-                curve_levels(curve_of<RunningError<precision>>(shape, with_running_error<precision>), 5);
-            for (std::size_t l = 0; l < exact.size(); ++l)
-                for (std::size_t i = 0; i < exact[l].points.size(); ++i) {
-                    const auto& e = exact[l].points[i];
-                    const auto& b = bounds[l].points[i];
-                    const std::array<HighPrecision, 3> wanted{e.x, e.y, e.z};
-                    for (int k = 0; k < 3; ++k) {
-                        const double got = static_cast<double>(computed[l].points[i][k]);
-                        use.add(tests::share_of(tests::error_of_value(got, wanted[k]), b.error[k]),
-                                static_cast<std::int64_t>(l), got, static_cast<double>(wanted[k]));
-                        EXPECT_LE(abs(wanted[k]), HighPrecision(b.magnitude[k]));
-                    }
+    for (const CurveShape& shape : tests::shapes(1, 6)) {
+        using HighPoint = Point<HighPrecision>;
+        const auto computed = curve_levels(curve_of<P>(shape, [](const auto& p) { return P(p); }), 5);
+        const auto exact = curve_levels(curve_of<HighPoint>(shape,
+                                                            [](const auto& p) {
+                                                                return HighPoint{p.x, p.y, p.z};
+                                                            }),
+                                        5);
+        const auto bounds =
+            curve_levels(curve_of<RunningError<precision>>(shape, with_running_error<precision>), 5);
+        for (std::size_t l = 0; l < exact.size(); ++l)
+            for (std::size_t i = 0; i < exact[l].points.size(); ++i) {
+                const auto& e = exact[l].points[i];
+                const auto& b = bounds[l].points[i];
+                const std::array<HighPrecision, 3> wanted{e.x, e.y, e.z};
+                for (int k = 0; k < 3; ++k) {
+                    const double got = static_cast<double>(computed[l].points[i][k]);
+                    use.add(tests::share_of(tests::error_of_value(got, wanted[k]), b.error[k]),
+                            static_cast<std::int64_t>(l), got, static_cast<double>(wanted[k]));
+                    EXPECT_LE(abs(wanted[k]), HighPrecision(b.magnitude[k]));
                 }
-        }
+            }
+    }
 }
 
 TEST(RunningError, CoversEverySubdivisionInDouble) {
