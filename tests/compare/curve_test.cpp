@@ -50,6 +50,10 @@ Outcome loopcheck_curve(std::vector<std::string> arguments) {
 
 // ---- every curve of models/curves
 
+// Coordinates and lengths of two distances that are exact before, and their quotient.
+constexpr double kFactorRounding =
+    4 * core::rounding_of(2 * (1 + core::kNormRoundings) + 1, core::Precision::Double);
+
 class EveryCurve : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryCurve, IsWhatItsLimitAndItsBoundsSayWithEveryEnd) {
@@ -65,7 +69,7 @@ TEST_P(EveryCurve, IsWhatItsLimitAndItsBoundsSayWithEveryEnd) {
             for (std::size_t l = 1; l < c.polygons.size() && degree == 3 && ends != Ends::Clamped; ++l) {
                 const double before = c.polygons[l - 1].distance, now = c.polygons[l].distance;
                 if (ends != Ends::Open && now > 0) {
-                    EXPECT_NEAR(before / now, 4, 1e-12) << core::name(ends);
+                    EXPECT_NEAR(before / now, 4, kFactorRounding) << core::name(ends);
                 }
             }
         }
