@@ -39,8 +39,7 @@ struct Carrier {
 /// Errors   TooLarge.
 core::Result<Carrier> make_carrier(CarrierKind kind, std::span<const glm::dvec3> control_points);
 
-/// The polygon in the level after `parent`, by ancestry: vertex points of its vertices, edge points of its
-/// edges.
+/// The polygon in the level after `parent`, by ancestry: the vertex points and edge points of the polygon.
 ///
 /// Errors   SubjectFailed where an edge point or a vertex point is missing or there twice.
 core::Result<std::vector<core::Index>> refined_polygon(std::span<const core::Index> polygon, bool closed,

@@ -105,8 +105,7 @@ inline Rational first_parameter(const CurveShape& shape) {
     return Rational(shape.degree % 2 == 0 ? 1 : 0, 4);
 }
 
-/// How many control points a level has, from those of level 0.  In double: it may be beyond every integer
-/// type.
+/// How many control points a level has, from those of level 0; in double, as no integer may hold it.
 double point_count(const CurveShape& shape, std::size_t control_points, int level);
 
 /// The control points of one level, and where they belong in the parameter of level 0.
