@@ -150,6 +150,12 @@ Result<TriangleMesh> TriangleMesh::make(MeshData data) {
     return mesh;
 }
 
+TriangleMesh TriangleMesh::with_infinite_sharpness(std::span<const Index> edges) const {
+    TriangleMesh mesh = *this;
+    for (const Index e : edges) mesh.edge_sharpness_[e] = kInfiniteSharpness;
+    return mesh;
+}
+
 double TriangleMesh::largest_coordinate() const {
     double m = std::numeric_limits<double>::min();
     for (const auto& p : positions_) m = std::max({m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

@@ -40,6 +40,9 @@ class TriangleMesh {
     /// Per face: 1 for a hole.
     std::span<const std::uint8_t> holes() const { return holes_; }
 
+    /// The same mesh with these edges of `topology()` infinitely sharp.
+    TriangleMesh with_infinite_sharpness(std::span<const Index> edges) const;
+
     /// Largest |coordinate|: the M of the error bounds.  At least the smallest normal number.
     double largest_coordinate() const;
     /// Length of the diagonal of the bounding box of the positions.
