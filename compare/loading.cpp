@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "core/mesh/creases.h"
+
 namespace loopcheck::compare {
 
 core::Result<LoadedModel> load_model(const std::filesystem::path& path, bool triangulate) {
@@ -33,6 +38,12 @@ core::Result<LoadedModel> load_model(const std::filesystem::path& path, bool tri
         return tl::unexpected(std::move(error));
     }
     return LoadedModel{std::move(*model), std::move(*mesh)};
+}
+
+CreaseTags tag_creases(core::TriangleMesh& mesh, double degrees) {
+    core::CreasedMesh creased = core::with_creases(mesh, glm::radians(degrees));
+    mesh = std::move(creased.mesh);
+    return {degrees, creased.edges};
 }
 
 core::SchemeOptions options_for_model(const core::Model& model, std::optional<core::BoundaryRule> boundary,

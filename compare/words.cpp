@@ -118,6 +118,11 @@ std::string deviation_in_words(const KnownDeviation& deviation, const Comparison
         deviation.name, deviation.what, expected, observed, page_of(deviation));
 }
 
+std::string creases_in_words(const CreaseTags& creases) {
+    return fmt::format("--crease-angle {}: {} edges tagged as creases", core::shortest(creases.degrees),
+                       creases.edges);
+}
+
 std::string ancestry_in_words(const VertexRecord& record) {
     if (record.level == 0) return "control vertex";
     return record.ancestor.kind == core::Ancestor::Kind::Vertex

@@ -7,6 +7,7 @@
 
 #include "compare/comparison.h"
 #include "compare/deviations.h"
+#include "compare/loading.h"
 
 namespace loopcheck::compare {
 
@@ -22,6 +23,9 @@ std::string_view agreement_in_words(Verdict verdict);
 /// The sentence for a known deviation that shows as predicted.  `predicted` was compared with the rules as
 /// done.
 std::string deviation_in_words(const KnownDeviation& deviation, const Comparison& predicted);
+
+/// What was tagged: "--crease-angle 60: 123 edges tagged as creases".
+std::string creases_in_words(const CreaseTags& creases);
 
 /// Where a vertex comes from: "vertex point of 17", "edge point of face 3 edge 1".
 std::string ancestry_in_words(const VertexRecord& record);

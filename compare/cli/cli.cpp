@@ -74,6 +74,22 @@ double WorkFlags::memory_limit() const {
     return memory_gib > 0 ? memory_gib * 1024 * 1024 * 1024 : available_memory();
 }
 
+void MeshFlags::add_to(CLI::App& command) {
+    command
+        .add_option("--crease-angle", crease_angle,
+                    "make edges infinitely sharp where faces meet at more than so many degrees, 0 to 180")
+        ->check([](const std::string& text) {
+            const auto value = core::parse_double(text);
+            return value && *value >= 0 && *value <= 180 ? std::string()
+                                                         : text + " is not an angle from 0 to 180 degrees";
+        });
+}
+
+std::optional<CreaseTags> MeshFlags::apply_to(core::TriangleMesh& mesh) const {
+    if (!crease_angle) return std::nullopt;
+    return tag_creases(mesh, *crease_angle);
+}
+
 const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision) {
     const Subject* subject = find_subject(context.subjects, name);
     if (subject != nullptr && precision == "float")

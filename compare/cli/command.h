@@ -65,6 +65,15 @@ struct WorkFlags {
     double memory_limit() const;
 };
 
+/// --crease-angle: what is done to a mesh before it is refined.
+struct MeshFlags {
+    std::optional<double> crease_angle;  ///< degrees
+
+    void add_to(CLI::App& command);
+    /// What was tagged; nothing where no angle was typed.
+    std::optional<CreaseTags> apply_to(core::TriangleMesh& mesh) const;
+};
+
 /// The subject of that name, or a message and nothing.
 const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision);
 

@@ -17,6 +17,7 @@ struct Flags {
     std::vector<std::string> models;
     std::string subject = "ours", reference = "opensubdiv", precision = "double";
     RuleFlags rules;
+    MeshFlags mesh;
     WorkFlags work;
     std::string json, csv, ply;
     int top = 1;
@@ -98,12 +99,14 @@ int run_compare(const Context& context, const Flags& flags) {
     VertexReports vertices;
     std::vector<ModelReport> reports;
     for (const std::string& path : flags.models) {
-        const auto model = load_or_complain(context, path, flags.work.triangulate);
+        auto model = load_or_complain(context, path, flags.work.triangulate);
+        const auto creases = model ? flags.mesh.apply_to(model->mesh) : std::nullopt;
         auto report = model ? compare_model(context, flags, path, *model, *a, *b, vertices) : std::nullopt;
         if (!report) {
             code = worse_exit_code(code, kExitUsage);
             continue;
         }
+        report->creases = creases;
         code = worse_exit_code(code, exit_code(report->comparison.verdict));
         if (report->limits) code = worse_exit_code(code, exit_code(report->limits->verdict));
         reports.push_back(std::move(*report));
@@ -137,6 +140,7 @@ Command add_compare(CLI::App& program) {
         ->capture_default_str()
         ->check(CLI::IsMember({"double", "float"}));
     flags->rules.add_to(*command);
+    flags->mesh.add_to(*command);
     flags->work.add_to(*command);
     command->add_flag("--limit", flags->limit,
                       "compare the limits of all vertices too: positions and normals");

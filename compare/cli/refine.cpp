@@ -6,6 +6,7 @@
 
 #include "compare/cli/command.h"
 #include "compare/memory.h"
+#include "compare/words.h"
 #include "core/loop/refine.h"
 
 namespace loopcheck::compare {
@@ -14,6 +15,7 @@ namespace {
 struct Flags {
     std::string model, output, scheme = "ours", precision = "double";
     RuleFlags rules;
+    MeshFlags mesh;
     WorkFlags work;
     bool binary = false;
 };
@@ -58,8 +60,9 @@ core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& 
 int run_refine(const Context& context, const Flags& flags) {
     const Subject* subject = find_or_complain(context, flags.scheme, flags.precision);
     if (subject == nullptr) return kExitUsage;
-    const auto loaded = load_or_complain(context, flags.model, flags.work.triangulate);
+    auto loaded = load_or_complain(context, flags.model, flags.work.triangulate);
     if (!loaded) return kExitUsage;
+    const auto creases = flags.mesh.apply_to(loaded->mesh);
     const core::TriangleMesh& mesh = loaded->mesh;
     const core::SchemeOptions options = flags.rules.for_model(loaded->model);
     const double bytes = subject->bytes_per_vertex + kWrittenBytesPerVertex;
@@ -91,6 +94,7 @@ int run_refine(const Context& context, const Flags& flags) {
     }
     for (const std::string& warning : *written)
         context.err << fmt::format("{}: warning: {}\n", flags.output, warning);
+    if (creases) context.out << creases_in_words(*creases) << "\n";
     context.out << fmt::format("{}: {} vertices, {} faces\n", flags.output, out.data.positions.size(),
                                out.data.face_sizes.size());
     return 0;
@@ -109,6 +113,7 @@ Command add_refine(CLI::App& program) {
         ->check(CLI::IsMember({"double", "float"}));
     command->add_flag("--binary", flags->binary, "binary PLY");
     flags->rules.add_to(*command);
+    flags->mesh.add_to(*command);
     flags->work.add_to(*command);
     return [flags](const Context& context) { return run_refine(context, *flags); };
 }

@@ -207,6 +207,10 @@ std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<
         entry["control_mesh"] = {{"vertices", report.vertices},
                                  {"faces", report.faces},
                                  {"boundary_edges", report.boundary_edges}};
+        if (report.creases) {
+            entry["crease_angle"] = report.creases->degrees;
+            entry["crease_edges"] = report.creases->edges;
+        }
         out["comparisons"].push_back(std::move(entry));
     }
     return dump(out);

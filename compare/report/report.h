@@ -16,6 +16,7 @@ struct ModelReport {
     std::size_t vertices = 0, faces = 0, boundary_edges = 0;
     Comparison comparison;
     std::optional<LimitComparison> limits;  ///< where they were asked for
+    std::optional<CreaseTags> creases;      ///< where they were asked for
 };
 
 /// Name, counts and comparison in one.

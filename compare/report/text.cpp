@@ -143,7 +143,8 @@ ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Compa
                                         [](const auto& faces) { return faces[1] == core::kNone; });
     return {std::move(model),      static_cast<std::size_t>(t.vertex_count),
             t.triangles.size(),    static_cast<std::size_t>(boundary),
-            std::move(comparison), std::move(limits)};
+            std::move(comparison), std::move(limits),
+            std::nullopt};
 }
 
 std::string comparison_as_text(const ModelReport& report, std::span<const Subject> subjects) {
@@ -155,6 +156,7 @@ std::string comparison_as_text(const ModelReport& report, std::span<const Subjec
     out += fmt::format("a = {}, b = {}\n", subject_in_words(c.subject, subjects),
                        subject_in_words(c.reference, subjects));
     out += rules_in_words(c.options) + "\n";
+    if (report.creases) out += creases_in_words(*report.creases) + "\n";
     if (!c.levels.empty()) {
         out += fmt::format(
             "M = {:.6g}, diagonal = {:.6g}, u M = {:.3g}; exact: the same rules with 38 digits, in u M\n\n",

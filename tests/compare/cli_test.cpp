@@ -244,6 +244,51 @@ TEST(CommandLine, TriangulatesWhenAskedAndSaysSo) {
     EXPECT_SAYS(taken.err, "1 polygons were split by a fan");
 }
 
+TEST(CommandLine, TagsCreasesByAngleAndSaysHowMany) {
+    const tests::TemporaryFolder folder;
+    const std::string json = (folder / "report.json").string();
+    const std::string said = "--crease-angle 41.8: 30 edges tagged as creases\n";
+    const auto compared = loopcheck(
+        {"compare", model_path("icosahedron"), "--levels", "2", "--crease-angle", "41.8", "--json", json});
+    EXPECT_EQ(compared.code, 0) << compared.err;
+    EXPECT_SAYS(compared.out, said);
+    EXPECT_SAYS(compared.out, "verdict: identical");
+    const auto entry = nlohmann::json::parse(std::ifstream(json)).at("comparisons").at(0);
+    EXPECT_EQ(entry.at("crease_angle"), 41.8);
+    EXPECT_EQ(entry.at("crease_edges"), 30);
+
+    // Each of the 30 edges became two.
+    const std::string obj = (folder / "1.obj").string();
+    const auto refined = loopcheck(
+        {"refine", model_path("icosahedron"), "-o", obj, "--levels", "1", "--crease-angle", "41.8"});
+    EXPECT_EQ(refined.code, 0) << refined.err;
+    EXPECT_SAYS(refined.out, said);
+    const auto creases = core::read_model(obj).value().data.creases;
+    EXPECT_EQ(creases.size(), 60U);
+    for (const auto& crease : creases) EXPECT_EQ(crease.sharpness, core::kInfiniteSharpness);
+}
+
+TEST(CommandLine, TagsNoCreasesUnlessAsked) {
+    const tests::TemporaryFolder folder;
+    const std::string json = (folder / "report.json").string();
+    const auto r = loopcheck({"compare", model_path("icosahedron"), "--levels", "1", "--json", json});
+    EXPECT_EQ(r.out.find("crease-angle"), std::string::npos) << r.out;
+    const auto entry = nlohmann::json::parse(std::ifstream(json)).at("comparisons").at(0);
+    EXPECT_FALSE(entry.contains("crease_angle"));
+    EXPECT_FALSE(entry.contains("crease_edges"));
+}
+
+TEST(CommandLine, RefusesWhatIsNoCreaseAngle) {
+    for (const std::string command : {"compare", "refine"})
+        for (const std::string angle : {"-1", "180.5", "181", "nan", "inf", "sharp", "30deg"}) {
+            std::vector<std::string> arguments{command, model_path("cow"), "--crease-angle", angle};
+            if (command == "refine") arguments.insert(arguments.end(), {"-o", "x.obj"});
+            const auto r = loopcheck(arguments);
+            EXPECT_EQ(r.code, 2) << angle;
+            EXPECT_SAYS(r.err, "--crease-angle: " + angle + " is not an angle from 0 to 180 degrees");
+        }
+}
+
 // Refining 1 + 2 levels through a file is refining 3 levels: the tags that are left are in the file.
 TEST(CommandLine, RefinesFromWhereAFileStopped) {
     const tests::TemporaryFolder folder;

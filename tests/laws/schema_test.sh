@@ -15,6 +15,7 @@ report() {
 }
 
 report identical 0 compare "$source/models/cow.obj" --levels 1 --top 3
+report creases 0 compare "$source/models/icosahedron.obj" --levels 2 --crease-angle 30
 report differs 1 compare "$source/models/icosahedron.obj" --levels 2 --weights warren --top 3
 report unsupported 3 compare "$source/models/crease-loop.obj" --levels 1 --with openmesh
 report unreadable 2 compare "$source/models/reject/repeated-vertex.obj"
