@@ -247,20 +247,20 @@ TEST(CommandLine, TriangulatesWhenAskedAndSaysSo) {
 TEST(CommandLine, TagsCreasesByAngleAndSaysHowMany) {
     const tests::TemporaryFolder folder;
     const std::string json = (folder / "report.json").string();
-    const std::string said = "--crease-angle 41.8: 30 edges tagged as creases\n";
+    const std::string said = "--crease-angle 20.5: 30 edges tagged as creases\n";
     const auto compared = loopcheck(
-        {"compare", model_path("icosahedron"), "--levels", "2", "--crease-angle", "41.8", "--json", json});
+        {"compare", model_path("icosahedron"), "--levels", "2", "--crease-angle", "20.5", "--json", json});
     EXPECT_EQ(compared.code, 0) << compared.err;
     EXPECT_SAYS(compared.out, said);
     EXPECT_SAYS(compared.out, "verdict: identical");
     const auto entry = nlohmann::json::parse(std::ifstream(json)).at("comparisons").at(0);
-    EXPECT_EQ(entry.at("crease_angle"), 41.8);
+    EXPECT_EQ(entry.at("crease_angle"), 20.5);
     EXPECT_EQ(entry.at("crease_edges"), 30);
 
     // Each of the 30 edges became two.
     const std::string obj = (folder / "1.obj").string();
     const auto refined = loopcheck(
-        {"refine", model_path("icosahedron"), "-o", obj, "--levels", "1", "--crease-angle", "41.8"});
+        {"refine", model_path("icosahedron"), "-o", obj, "--levels", "1", "--crease-angle", "20.5"});
     EXPECT_EQ(refined.code, 0) << refined.err;
     EXPECT_SAYS(refined.out, said);
     const auto creases = core::read_model(obj).value().data.creases;
