@@ -249,7 +249,10 @@ Result<AdaptiveRefinement> refine_adaptively(const TriangleMesh& mesh, const Sch
         record.uniform_vertex = level.uniform.vertex;
         record.same_position = level.uniform.same_position;
         out.records.push_back(std::move(record));
-        if (l == levels) return out;
+        if (l == levels) {
+            out.last = std::move(level);
+            return out;
+        }
 
         const Flags flags = criterion(level);
         if (flags.size() != level.control_face.size())

@@ -60,6 +60,7 @@ struct AdaptiveRecord {
 struct AdaptiveRefinement {
     Refinement refinement;
     std::vector<AdaptiveRecord> records;  ///< one a level
+    AdaptiveLevel last;                   ///< the last level, with positions in double
 };
 
 /// `levels` steps, the criterion asked anew at each.
