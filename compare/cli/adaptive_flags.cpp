@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "compare/adaptive/adaptive_comparison.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
@@ -68,11 +69,11 @@ void AdaptiveFlags::add_to(CLI::App& command) {
 
 std::optional<core::Criterion> AdaptiveFlags::criterion(const Context& context,
                                                         const core::TriangleMesh& mesh) const {
-    if (!faces.empty()) {
-        auto list = parse_list(faces, mesh.face_count());
+    if (faces) {
+        auto list = parse_list(*faces, mesh.face_count());
         if (list) return core::where_listed(std::move(*list));
         context.err << fmt::format("--faces: '{}' is not a list such as 0-99,150 of faces from 0 to {}.\n",
-                                   faces, mesh.face_count() - 1);
+                                   *faces, mesh.face_count() - 1);
         return std::nullopt;
     }
     const double threshold = degrees * std::numbers::pi / 180;
@@ -82,7 +83,7 @@ std::optional<core::Criterion> AdaptiveFlags::criterion(const Context& context,
 }
 
 std::string AdaptiveFlags::in_words() const {
-    if (!faces.empty()) return fmt::format("adaptive, faces {} are split", faces);
+    if (faces) return fmt::format("adaptive, faces {} are split", *faces);
     return fmt::format(
         "adaptive, faces are split where their normal is {} {:.6g} degrees from {} ({} neighbours)",
         split == "smooth" ? "at most" : "more than", degrees,

@@ -13,7 +13,8 @@ namespace loopcheck::compare {
 struct AdaptiveFlags {
     bool on = false;
     double degrees = 60;
-    std::string neighbours = "edge", split = "smooth", faces;
+    std::string neighbours = "edge", split = "smooth";
+    std::optional<std::string> faces = {};
 
     void add_to(CLI::App& command);
     /// Which faces are subdivided; nothing, with a message, where --faces names none of the mesh.
@@ -21,10 +22,6 @@ struct AdaptiveFlags {
     /// The same in words.
     std::string in_words() const;
 };
-
-/// Peak memory of adaptive refinement and of writing its last level, in bytes a face of all levels.  A test
-/// measures it.
-inline constexpr double kAdaptiveBytesPerFace = 500;
 
 /// Refines adaptively in the precision asked for, with no more faces than fit into `bytes`.
 core::Result<core::AdaptiveRefinement> refine_adaptively(const core::TriangleMesh& mesh,
