@@ -5,10 +5,12 @@
 #include <array>
 #include <memory>
 
-#include "compare/cli/command.h"
+#include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/referee.h"
+#include "compare/report/refinement.h"
 #include "compare/report/report.h"
+#include "compare/words.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -19,6 +21,7 @@ struct Flags {
     RuleFlags rules;
     MeshFlags mesh;
     WorkFlags work;
+    AdaptiveFlags adaptive;
     std::string json, csv, ply;
     int top = 1;
     bool limit = false;
@@ -79,6 +82,47 @@ std::vector<core::Triangle> last_triangles(const core::TriangleMesh& mesh, int l
     return std::move(topology.triangles);
 }
 
+// Our adaptive refinement of one model against the uniform one of `b`.
+int run_adaptive(const Context& context, const Flags& flags, const Subject& ours, const Subject& b) {
+    if (ours.family != "ours") {
+        context.err << fmt::format("{} has no adaptive refinement.\n", ours.name);
+        return kExitFailed;
+    }
+    const std::string& path = flags.models.front();
+    auto model = load_or_complain(context, path, flags.work.triangulate);
+    if (!model) return kExitUsage;
+    const auto creases = flags.mesh.apply_to(model->mesh);
+    const auto criterion = flags.adaptive.criterion(context, model->mesh);
+    if (!criterion) return kExitUsage;
+    const core::SchemeOptions options = flags.rules.for_model(model->model);
+    const std::array both{&ours, &b};
+    const double limit = flags.work.memory_limit();
+    // The adaptive levels together have fewer faces than 4/3 of the last uniform one, which has 2 faces a
+    // vertex.
+    const double bytes = referee_bytes_per_vertex(both, options) + kUniformLevelsBytesPerVertex +
+                         2 * 4.0 / 3 * kAdaptiveBytesPerFace;
+    if (const auto error = check_memory(model->mesh, flags.work.levels, bytes, limit)) {
+        complain(context, path, *error);
+        return kExitUsage;
+    }
+    Progress progress(context);
+    progress.show(fmt::format("{}: refining {} levels", path, flags.work.levels));
+    const auto refined =
+        refine_adaptively(model->mesh, options, *criterion, ours.precision, flags.work.levels, limit);
+    if (!refined) {
+        complain(context, path, refined.error());
+        return kExitFailed;
+    }
+    const AdaptiveReport report{path, flags.adaptive.in_words(),
+                                compare_adaptive(model->mesh, options, *refined, ours, b)};
+    if (creases) context.out << creases_in_words(*creases) << "\n";
+    context.out << adaptive_as_text(report, b.version);
+    if (!flags.json.empty() &&
+        !write_or_complain(context, flags.json, adaptive_as_json(report, context.subjects)))
+        return kExitUsage;
+    return exit_code(report.comparison.verdict);
+}
+
 int run_compare(const Context& context, const Flags& flags) {
     const Subject* a = find_or_complain(context, flags.subject, flags.precision);
     const Subject* b = find_or_complain(context, flags.reference, flags.precision);
@@ -95,6 +139,13 @@ int run_compare(const Context& context, const Flags& flags) {
         context.err << "--csv and --ply have the refinement only, not the limits.\n";
     const std::array outputs{flags.json, flags.csv, flags.ply};
     if (outputs_clash(context, outputs, flags.models)) return kExitUsage;
+    if (flags.adaptive.on) {
+        if (flags.models.size() > 1 || flags.limit || !flags.csv.empty() || !flags.ply.empty()) {
+            context.err << "--adaptive takes one model, and goes without --limit, --csv and --ply.\n";
+            return kExitUsage;
+        }
+        return run_adaptive(context, flags, *a, *b);
+    }
     int code = 0;
     VertexReports vertices;
     std::vector<ModelReport> reports;
@@ -142,6 +193,7 @@ Command add_compare(CLI::App& program) {
     flags->rules.add_to(*command);
     flags->mesh.add_to(*command);
     flags->work.add_to(*command);
+    flags->adaptive.add_to(*command);
     command->add_flag("--limit", flags->limit,
                       "compare the limits of all vertices too: positions and normals");
     command->add_option("--json", flags->json, "write the report as JSON");

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
-#include "compare/cli/command.h"
+#include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
+#include "compare/report/refinement.h"
 #include "compare/words.h"
 #include "core/loop/refine.h"
 
@@ -13,35 +15,36 @@ namespace loopcheck::compare {
 namespace {
 
 struct Flags {
-    std::string model, output, scheme = "ours", precision = "double";
+    std::string model, output, scheme = "ours", precision = "double", json;
     RuleFlags rules;
     MeshFlags mesh;
+    AdaptiveFlags adaptive;
     WorkFlags work;
     bool binary = false;
 };
 
+// A refined mesh, ready to be written, and what is said of it.
+struct Refined {
+    core::Model model;
+    RefinementReport report;
+};
+
 // The sharpness that is left at the last level, where the file cannot infer it: not that of the boundary.
-void add_tags(core::Model& out, const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-              int levels) {
-    const auto is_sharp = [](float s) { return core::is_sharp(s); };
-    if (std::none_of(mesh.edge_sharpness().begin(), mesh.edge_sharpness().end(), is_sharp) &&
-        std::none_of(mesh.vertex_sharpness().begin(), mesh.vertex_sharpness().end(), is_sharp))
-        return;
-    core::SchemeLevel level = core::control_level(mesh, options.boundary);
-    for (int l = 0; l < levels; ++l) level = core::next_level(level, options).value().child;
+void add_tags(core::Model& out, const core::SchemeLevel& level, core::BoundaryRule boundary) {
     const core::Topology& t = level.topology;
     for (core::Index e = 0; e < t.edge_count(); ++e)
         if (!t.is_boundary_edge(e) && core::is_sharp(level.sharpness.edge[e]))
             out.data.creases.push_back({t.edge_ends[e][0], t.edge_ends[e][1], level.sharpness.edge[e]});
-    for (core::Index v = 0; v < t.vertex_count; ++v)
-        if (!t.is_isolated(v) && core::is_sharp(level.sharpness.vertex[v]))
+    for (core::Index v = 0; v < t.vertex_count; ++v) {
+        const bool is_inferred = boundary == core::BoundaryRule::EdgeAndCorner && t.is_boundary_vertex(v) &&
+                                 t.face_count_at(v) == 1;
+        if (!t.is_isolated(v) && !is_inferred && core::is_sharp(level.sharpness.vertex[v]))
             out.data.corners.push_back({v, level.sharpness.vertex[v]});
+    }
 }
 
 core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                     const core::Refinement& refinement) {
-    const auto levels = static_cast<int>(refinement.levels.size()) - 1;
-    const core::RefinedLevel& last = refinement.levels.back();
+                     const core::RefinedLevel& last) {
     core::Model out;
     const auto& faces = mesh.topology().edge_faces;
     if (std::any_of(faces.begin(), faces.end(), [](const auto& pair) { return pair[1] == core::kNone; }))
@@ -49,54 +52,131 @@ core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& 
     if (options.creasing == core::Creasing::Chaikin) out.creasing = options.creasing;
     out.data.positions = last.positions;
     for (const core::Triangle& triangle : last.triangles) out.data.add_face(triangle);
-    add_tags(out, mesh, options, levels);
+    return out;
+}
+
+bool is_tagged(const core::TriangleMesh& mesh) {
+    const auto is_sharp = [](float s) { return core::is_sharp(s); };
+    return std::any_of(mesh.edge_sharpness().begin(), mesh.edge_sharpness().end(), is_sharp) ||
+           std::any_of(mesh.vertex_sharpness().begin(), mesh.vertex_sharpness().end(), is_sharp);
+}
+
+std::optional<Refined> refine_uniformly(const Context& context, const Flags& flags, const Subject& subject,
+                                        const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                        int& code) {
+    code = kExitUsage;
+    const int levels = flags.work.levels;
+    const double bytes = subject.bytes_per_vertex + kWrittenBytesPerVertex;
+    if (const auto error = check_memory(mesh, levels, bytes, flags.work.memory_limit())) {
+        complain(context, flags.model, *error);
+        return std::nullopt;
+    }
+    code = kExitFailed;
+    if (options.weights != options_for(subject, options).weights) {
+        context.err << fmt::format("{} has Loop's weights only.\n", subject.name);
+        return std::nullopt;
+    }
+    const auto refined = [&] {
+        Progress progress(context);
+        progress.show(fmt::format("{}: refining {} levels", flags.model, levels));
+        return subject.refine(mesh, options, levels);
+    }();
+    if (!refined) {
+        complain(context, flags.model, refined.error());
+        return std::nullopt;
+    }
+    Refined out{model_of(mesh, options, refined->levels.back()), {}};
+    if (is_tagged(mesh)) {
+        core::SchemeLevel level = core::control_level(mesh, options.boundary);
+        for (int l = 0; l < levels; ++l) level = core::next_level(level, options).value().child;
+        add_tags(out.model, level, options.boundary);
+    }
     const core::Index children = core::Index{1} << (2 * levels);
     for (core::Index f = 0; f < mesh.face_count(); ++f)
         for (core::Index k = 0; mesh.holes()[f] && k < children; ++k)
-            out.data.holes.push_back(f * children + k);
+            out.model.data.holes.push_back(f * children + k);
+    for (int l = 0; l <= levels; ++l) {
+        const core::RefinedLevel& level = refined->levels[static_cast<std::size_t>(l)];
+        out.report.levels.push_back({.vertices = level.positions.size(),
+                                     .faces = level.triangles.size(),
+                                     .uniform_faces = level_size(mesh, l).faces});
+    }
     return out;
+}
+
+std::optional<Refined> refine_only_some(const Context& context, const Flags& flags, const Subject& subject,
+                                        const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                        int& code) {
+    code = kExitUsage;
+    const auto criterion = flags.adaptive.criterion(context, mesh);
+    if (!criterion) return std::nullopt;
+    code = kExitFailed;
+    if (subject.family != "ours") {
+        context.err << fmt::format("{} has no adaptive refinement.\n", subject.name);
+        return std::nullopt;
+    }
+    const auto refined = [&] {
+        Progress progress(context);
+        progress.show(fmt::format("{}: refining {} levels", flags.model, flags.work.levels));
+        return refine_adaptively(mesh, options, *criterion, subject.precision, flags.work.levels,
+                                 flags.work.memory_limit());
+    }();
+    if (!refined) {
+        const auto reason = refined.error().code;
+        code = reason == core::ErrorCode::OutOfMemory || reason == core::ErrorCode::TooLarge ? kExitUsage
+                                                                                             : kExitFailed;
+        complain(context, flags.model, refined.error());
+        return std::nullopt;
+    }
+    Refined out{model_of(mesh, options, refined->refinement.levels.back()), {}};
+    add_tags(out.model, refined->last.scheme, options.boundary);
+    for (std::size_t f = 0; f < refined->last.control_face.size(); ++f)
+        if (mesh.holes()[refined->last.control_face[f]])
+            out.model.data.holes.push_back(static_cast<core::Index>(f));
+    out.report.rule = flags.adaptive.in_words();
+    out.report.levels = adaptive_levels(mesh, *refined);
+    return out;
+}
+
+bool write_model_or_complain(const Context& context, const Flags& flags, const core::Model& model) {
+    const auto written =
+        core::write_model(flags.output, model, flags.binary ? core::Encoding::Binary : core::Encoding::Text);
+    if (!written) {
+        complain(context, flags.output, written.error());
+        return false;
+    }
+    for (const std::string& warning : *written)
+        context.err << fmt::format("{}: warning: {}\n", flags.output, warning);
+    return true;
 }
 
 int run_refine(const Context& context, const Flags& flags) {
     const Subject* subject = find_or_complain(context, flags.scheme, flags.precision);
     if (subject == nullptr) return kExitUsage;
+    const std::array outputs{flags.output, flags.json};
+    if (outputs_clash(context, outputs, {})) return kExitUsage;
     auto loaded = load_or_complain(context, flags.model, flags.work.triangulate);
     if (!loaded) return kExitUsage;
     const auto creases = flags.mesh.apply_to(loaded->mesh);
-    const core::TriangleMesh& mesh = loaded->mesh;
     const core::SchemeOptions options = flags.rules.for_model(loaded->model);
-    const double bytes = subject->bytes_per_vertex + kWrittenBytesPerVertex;
-    if (const auto error = check_memory(mesh, flags.work.levels, bytes, flags.work.memory_limit())) {
-        complain(context, flags.model, *error);
-        return kExitUsage;
-    }
-    if (options.weights != options_for(*subject, options).weights) {
-        context.err << fmt::format("{} has Loop's weights only.\n", subject->name);
-        return kExitFailed;
-    }
-    core::Result<core::Refinement> refined = [&] {
-        Progress progress(context);
-        progress.show(fmt::format("{}: refining {} levels", flags.model, flags.work.levels));
-        return subject->refine(mesh, options, flags.work.levels);
-    }();
-    if (!refined) {
-        complain(context, flags.model, refined.error());
-        return kExitFailed;
-    }
-    core::Model out = model_of(mesh, options, *refined);
-    out.description = fmt::format("{} refined {} levels by {} {}", flags.model, flags.work.levels,
-                                  subject->name, subject->version);
-    const auto written =
-        core::write_model(flags.output, out, flags.binary ? core::Encoding::Binary : core::Encoding::Text);
-    if (!written) {
-        complain(context, flags.output, written.error());
-        return kExitUsage;
-    }
-    for (const std::string& warning : *written)
-        context.err << fmt::format("{}: warning: {}\n", flags.output, warning);
+    const auto refine = flags.adaptive.on ? refine_only_some : refine_uniformly;
+    int code = 0;
+    auto refined = refine(context, flags, *subject, loaded->mesh, options, code);
+    if (!refined) return code;
+    refined->model.description =
+        fmt::format("{} refined {} levels by {} {}{}", flags.model, flags.work.levels, subject->name,
+                    subject->version, flags.adaptive.on ? ", " + flags.adaptive.in_words() : "");
+    RefinementReport& report = refined->report;
+    report.model = flags.model;
+    report.output = flags.output;
+    report.scheme = subject->name;
+    report.precision = subject->precision;
+    if (!write_model_or_complain(context, flags, refined->model)) return kExitUsage;
     if (creases) context.out << creases_in_words(*creases) << "\n";
-    context.out << fmt::format("{}: {} vertices, {} faces\n", flags.output, out.data.positions.size(),
-                               out.data.face_sizes.size());
+    context.out << refinement_as_text(report);
+    if (!flags.json.empty() &&
+        !write_or_complain(context, flags.json, refinement_as_json(report, context.subjects)))
+        return kExitUsage;
     return 0;
 }
 
@@ -115,6 +195,8 @@ Command add_refine(CLI::App& program) {
     flags->rules.add_to(*command);
     flags->mesh.add_to(*command);
     flags->work.add_to(*command);
+    flags->adaptive.add_to(*command);
+    command->add_option("--json", flags->json, "write the sizes of all levels as JSON");
     return [flags](const Context& context) { return run_refine(context, *flags); };
 }
 

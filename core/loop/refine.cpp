@@ -17,7 +17,8 @@ Sharpness child_sharpness(const Topology& parent, const Sharpness& sharpness,
     return child;
 }
 
-// Per vertex of the next level: 1 where it comes from a vertex or edge with a finite sharpness.
+}  // namespace
+
 std::vector<std::uint8_t> comes_from_finite_sharpness(const SchemeLevel& parent) {
     std::vector<std::uint8_t> out;
     out.reserve(parent.topology.vertex_count + parent.topology.edge_ends.size());
@@ -37,8 +38,6 @@ RefinedLevel as_refined_level(const SchemeLevel& level, std::vector<Ancestor> an
         out.tags.push_back({rules[v], level.topology.is_boundary_vertex(v)});
     return out;
 }
-
-}  // namespace
 
 SchemeLevel control_level(const TriangleMesh& mesh, BoundaryRule boundary) {
     SchemeLevel level{mesh.topology(), control_sharpness(mesh, boundary), {}};

@@ -1,6 +1,7 @@
 // Loop refinement, level by level.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/loop/rows.h"
@@ -20,6 +21,13 @@ struct SchemeLevel {
 
 /// Level 0.
 SchemeLevel control_level(const TriangleMesh& mesh, BoundaryRule boundary);
+
+/// Per vertex of the next level 1 where it comes from a vertex or edge with a finite sharpness: of every
+/// vertex, then of every edge.
+std::vector<std::uint8_t> comes_from_finite_sharpness(const SchemeLevel& parent);
+
+/// A level without its positions.
+RefinedLevel as_refined_level(const SchemeLevel& level, std::vector<Ancestor> ancestors);
 
 /// The way from a level to the next.
 struct Step {

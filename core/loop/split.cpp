@@ -117,10 +117,7 @@ std::vector<Ancestor> ancestors_of_split(const Topology& parent) {
     std::vector<Ancestor> out;
     out.reserve(parent.vertex_count + parent.edge_ends.size());
     for (Index v = 0; v < parent.vertex_count; ++v) out.push_back({Ancestor::Kind::Vertex, v});
-    for (Index e = 0; e < parent.edge_count(); ++e) {
-        const Index f = parent.edge_faces[e][0];
-        out.push_back({Ancestor::Kind::Edge, 3 * f + parent.corner_of_edge(f, e)});
-    }
+    for (Index e = 0; e < parent.edge_count(); ++e) out.push_back(edge_ancestor(parent, e));
     return out;
 }
 

@@ -25,6 +25,12 @@ namespace loopcheck::core {
 /// Errors  TooLarge, before anything is allocated.
 Result<Topology> split(const Topology& parent);
 
+/// The ancestor of the point of edge e.
+inline Ancestor edge_ancestor(const Topology& parent, Index e) {
+    const Index f = parent.edge_faces[e][0];
+    return {Ancestor::Kind::Edge, 3 * f + parent.corner_of_edge(f, e)};
+}
+
 /// Where each vertex of the next level comes from, in its order.
 std::vector<Ancestor> ancestors_of_split(const Topology& parent);
 

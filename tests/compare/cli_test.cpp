@@ -268,6 +268,22 @@ TEST(CommandLine, TagsCreasesByAngleAndSaysHowMany) {
     for (const auto& crease : creases) EXPECT_EQ(crease.sharpness, core::kInfiniteSharpness);
 }
 
+TEST(CommandLine, TagsCreasesBeforeItRefinesAdaptively) {
+    const tests::TemporaryFolder folder;
+    const std::vector<std::string> flags{model_path("icosahedron"), "--levels", "1", "--adaptive",
+                                         "--crease-angle",          "20.5"};
+    for (const std::string command : {"compare", "refine"}) {
+        std::vector<std::string> arguments{command};
+        arguments.insert(arguments.end(), flags.begin(), flags.end());
+        if (command == "refine") arguments.insert(arguments.end(), {"-o", (folder / "1.obj").string()});
+        const auto r = loopcheck(arguments);
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_SAYS(r.out, "--crease-angle 20.5: 30 edges tagged as creases\n");
+    }
+    // No two faces meet at 60 degrees: all are split, with the creases.
+    EXPECT_EQ(core::read_model((folder / "1.obj").string()).value().data.creases.size(), 60U);
+}
+
 TEST(CommandLine, TagsNoCreasesUnlessAsked) {
     const tests::TemporaryFolder folder;
     const std::string json = (folder / "report.json").string();

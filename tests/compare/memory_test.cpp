@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "compare/adaptive/adaptive_comparison.h"
 #include "compare/curve/curve_comparison.h"
 #include "compare/curve/tensor_comparison.h"
 #include "compare/referee.h"
@@ -135,6 +136,23 @@ TEST(MemoryEstimate, CoversWritingAMesh) {
                        "--scheme", subject.name},
                       mesh, 5);
     }
+}
+
+TEST(MemoryEstimate, CoversAdaptiveRefinement) {
+    const auto mesh = model_mesh("cow");
+    constexpr int kLevels = 5;
+    double faces = 0;
+    for (int l = 0; l <= kLevels; ++l) faces += level_size(mesh, l).faces;
+    const std::string levels = std::to_string(kLevels);
+    expect_covers(kAdaptiveBytesPerFace,
+                  {"refine", model_path("cow"), "-o", testing::TempDir() + "memory.obj", "--adaptive",
+                   "--angle", "180", "--levels", levels},
+                  faces);
+    const std::array pair{&subject("ours"), &subject("opensubdiv")};
+    expect_covers(referee_bytes_per_vertex(pair, {}) + kUniformLevelsBytesPerVertex +
+                      kAdaptiveBytesPerFace * faces / level_size(mesh, kLevels).vertices,
+                  {"compare", model_path("cow"), "--adaptive", "--angle", "180", "--levels", levels}, mesh,
+                  kLevels);
 }
 
 TEST(MemoryEstimate, CoversACurve) {

@@ -1,32 +1,37 @@
 #include "core/loop/adaptive/pattern.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace loopcheck::core {
 
 SplitPattern split_pattern(const Triangle& corners, const Triangle& midpoints) {
-    const auto unsplit = std::count(midpoints.begin(), midpoints.end(), kNone);
-    // Counted from edge i: the one that differs from the two others, where there is one.
-    const auto turned = [&](bool split) {
-        int i = 0;
-        while ((midpoints[i] != kNone) != split) ++i;
-        const int j = next_corner(i), k = previous_corner(i);
-        return std::pair(Triangle{corners[i], corners[j], corners[k]},
-                         Triangle{midpoints[i], midpoints[j], midpoints[k]});
+    // Cuts corner i off; the corner keeps its place.
+    const auto corner_child = [&](int i) {
+        Triangle piece;
+        piece[i] = corners[i];
+        piece[next_corner(i)] = midpoints[i];
+        piece[previous_corner(i)] = midpoints[previous_corner(i)];
+        return piece;
     };
-    if (unsplit == 0) {
-        const auto [a, b, c] = corners;
-        const auto [ab, bc, ca] = midpoints;
-        return {{{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}}, 4};
-    }
+    const auto unsplit = std::count(midpoints.begin(), midpoints.end(), kNone);
+    const auto edge_that = [&](bool is_split) {
+        int i = 0;
+        while ((midpoints[i] != kNone) != is_split) ++i;
+        return i;
+    };
+    if (unsplit == 0)
+        return {
+            {{corner_child(0), corner_child(1), corner_child(2), {midpoints[1], midpoints[2], midpoints[0]}}},
+            4};
     if (unsplit == 1) {
-        const auto [v, m] = turned(false);
-        return {{{{v[0], v[1], m[1]}, {m[1], v[2], m[2]}, {m[2], v[0], m[1]}}}, 3};
+        const int ab = edge_that(false), bc = next_corner(ab), ca = previous_corner(ab);
+        const Index a = corners[ab], b = corners[bc];
+        return {{{{a, b, midpoints[bc]}, corner_child(ca), {midpoints[ca], a, midpoints[bc]}}}, 3};
     }
     if (unsplit == 2) {
-        const auto [v, m] = turned(true);
-        return {{{{v[0], m[0], v[2]}, {m[0], v[1], v[2]}}}, 2};
+        const int ab = edge_that(true);
+        const Index a = corners[ab], b = corners[next_corner(ab)], c = corners[previous_corner(ab)];
+        return {{{{a, midpoints[ab], c}, {midpoints[ab], b, c}}}, 2};
     }
     return {{{corners}}, 1};
 }

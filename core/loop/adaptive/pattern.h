@@ -21,12 +21,13 @@ struct SplitPattern {
 /// `midpoints[i]` is on edge i, which joins corner i and the next; kNone where that edge is not split.  By
 /// the number of edges that are not:
 ///
-///     0   (a, ab, ca)  (ab, b, bc)  (ca, bc, c)  (bc, ca, ab)          as in `split`
-///     1   ab:          (a, b, bc)  (bc, c, ca)  (ca, a, bc)
-///     2   all but ab:  (a, ab, c)  (ab, b, c)
-///     3   (a, b, c)
+///   * 0: (a, ab, ca)  (ab, b, bc)  (ca, bc, c)  (bc, ca, ab), as in `split`;
+///   * 1, ab: (a, b, bc)  (bc, c, ca)  (ca, a, bc);
+///   * 2, all but ab: (a, ab, c)  (ab, b, c);
+///   * 3: (a, b, c);
 ///
-/// with ab for the midpoint of the edge from a to b.
+/// with ab for the midpoint of the edge from a to b.  A piece that is a child in `split` also starts with the
+/// same vertex as there.
 ///
 /// Source  the lab report's scheme; the same four cases as red-green refinement.
 /// Law     both faces of an edge see the same midpoint, so no piece has a vertex inside an edge.

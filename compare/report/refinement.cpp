@@ -1,0 +1,158 @@
+#include "compare/report/refinement.h"
+
+#include <fmt/format.h>
+
+#include "compare/report/document.h"
+#include "compare/report/table.h"
+#include "compare/words.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cell(std::size_t count) {
+    return fmt::format("{}", count);
+}
+
+std::string percent(double part, double whole) {
+    return fmt::format("{:.3g} %", 100 * part / whole);
+}
+
+std::string level_table(std::span<const AdaptiveLevelResult> levels) {
+    std::vector<std::vector<std::string>> rows{{"level", "vertices", "faces", "of uniform", "subdividable",
+                                                "edges split", "into 4", "into 3", "into 2", "kept"}};
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        const AdaptiveLevelResult& level = levels[l];
+        std::vector<std::string> row{cell(l), cell(level.vertices), cell(level.faces),
+                                     percent(static_cast<double>(level.faces), level.uniform_faces)};
+        if (l > 0) {
+            row.push_back(cell(level.subdividable));
+            row.push_back(cell(level.counts.split_edges));
+            for (const std::size_t count : level.counts.faces_with_unsplit) row.push_back(cell(count));
+        }
+        row.resize(rows.front().size());
+        rows.push_back(std::move(row));
+    }
+    return table(rows);
+}
+
+std::vector<std::string> stats_header(const std::string& first) {
+    return {first,  "checked", "identical", "held", "same", "max |a-b|/diagonal", "RMS |a-b|/diagonal",
+            "apart"};
+}
+
+std::vector<std::string> stats_row(const std::string& first, const AdaptiveStats& s, double diagonal) {
+    return {first,
+            cell(s.checked.count),
+            cell(s.checked.identical),
+            cell(s.held.count),
+            cell(s.held.identical),
+            number_cell(s.held.max / diagonal),
+            number_cell(s.held.rms() / diagonal),
+            cell(s.apart)};
+}
+
+Json json_of(const ErrorStats& stats) {
+    return {
+        {"vertices", stats.count}, {"identical", stats.identical}, {"max", stats.max}, {"rms", stats.rms()}};
+}
+
+Json json_of(const AdaptiveStats& stats) {
+    return {{"checked", json_of(stats.checked)}, {"held", json_of(stats.held)}, {"apart", stats.apart}};
+}
+
+Json sizes(const AdaptiveLevelResult& level, std::size_t number) {
+    return {{"level", number},
+            {"vertices", level.vertices},
+            {"faces", level.faces},
+            {"uniform_faces", level.uniform_faces}};
+}
+
+Json with_counts(Json json, const AdaptiveLevelResult& level) {
+    json["subdividable"] = level.subdividable;
+    json["split_edges"] = level.counts.split_edges;
+    json["faces_with_unsplit"] = level.counts.faces_with_unsplit;
+    return json;
+}
+
+}  // namespace
+
+std::string refinement_as_text(const RefinementReport& report) {
+    std::string out;
+    if (!report.rule.empty())
+        out += fmt::format("{}: {}\n{}", printable(report.model), report.rule, level_table(report.levels));
+    return out + fmt::format("{}: {} vertices, {} faces\n", printable(report.output),
+                             report.levels.back().vertices, report.levels.back().faces);
+}
+
+std::string refinement_as_json(const RefinementReport& report, std::span<const Subject> subjects) {
+    Json out = document("refine", subjects, 0);
+    out["comparisons"] = Json::array();
+    out["model"] = report.model;
+    Json refinement{
+        {"output", report.output}, {"scheme", report.scheme}, {"precision", core::name(report.precision)}};
+    if (!report.rule.empty()) refinement["rule"] = report.rule;
+    refinement["levels"] = Json::array();
+    for (std::size_t l = 0; l < report.levels.size(); ++l) {
+        const AdaptiveLevelResult& level = report.levels[l];
+        Json entry = sizes(level, l);
+        refinement["levels"].push_back(report.rule.empty() ? entry : with_counts(std::move(entry), level));
+    }
+    out["refinement"] = std::move(refinement);
+    return dump(out);
+}
+
+std::string adaptive_as_text(const AdaptiveReport& report, std::string_view version) {
+    const AdaptiveComparison& c = report.comparison;
+    std::string out =
+        fmt::format("{}: {}\na = ours {}, b = {} {}, uniform; {}, boundary {}\n\n{}", printable(report.model),
+                    report.rule, LOOPCHECK_VERSION, c.subject, version, core::name(c.precision),
+                    core::name(c.options.boundary), level_table(c.levels));
+    std::vector<std::vector<std::string>> by_level{stats_header("level")};
+    std::vector<std::vector<std::string>> by_class{
+        stats_header(fmt::format("class, level {}", c.levels.size() - 1))};
+    for (std::size_t l = 0; l < c.levels.size(); ++l)
+        by_level.push_back(stats_row(cell(l), total(c.levels[l]), c.diagonal));
+    for (const auto& [vertex_class, stats] : c.levels.back().classes)
+        by_class.push_back(stats_row(to_string(vertex_class), stats, c.diagonal));
+    out += "\n" + table(by_level) + "\n" + table(by_class) + "\n";
+    out +=
+        "checked: depend on subdividable faces only, so they must be where uniform refinement has them\n"
+        "held: uniform refinement has them too, but something around them stayed; apart: it does not have "
+        "them\n";
+    out += fmt::format("\nverdict: {}\n", agreement_in_words(c.verdict));
+    for (const std::string& note : c.notes) out += fmt::format("  {}\n", note);
+    return out;
+}
+
+std::string adaptive_as_json(const AdaptiveReport& report, std::span<const Subject> subjects) {
+    const AdaptiveComparison& c = report.comparison;
+    Json out = document("compare", subjects, exit_code(c.verdict));
+    out["comparisons"] = Json::array();
+    out["model"] = report.model;
+    Json adaptive{{"rule", report.rule},
+                  {"subject", c.subject},
+                  {"precision", core::name(c.precision)},
+                  {"boundary", core::name(c.options.boundary)},
+                  {"creasing", core::name(c.options.creasing)},
+                  {"diagonal", c.diagonal},
+                  {"verdict", name(c.verdict)},
+                  {"notes", c.notes}};
+    adaptive["levels"] = Json::array();
+    for (std::size_t l = 0; l < c.levels.size(); ++l) {
+        const AdaptiveLevelResult& level = c.levels[l];
+        Json entry = with_counts(sizes(level, l), level);
+        entry["classes"] = Json::array();
+        for (const auto& [vertex_class, stats] : level.classes) {
+            Json row{{"class", to_string(vertex_class)}};
+            row.update(json_of(stats));
+            entry["classes"].push_back(std::move(row));
+        }
+        adaptive["levels"].push_back(std::move(entry));
+    }
+    out["adaptive"] = std::move(adaptive);
+    return dump(out);
+}
+
+}  // namespace loopcheck::compare

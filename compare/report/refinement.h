@@ -1,0 +1,44 @@
+// Reports of what `refine` wrote, and of adaptive refinement against a subject.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/adaptive/adaptive_comparison.h"
+
+namespace loopcheck::compare {
+
+/// A mesh that was refined and written.
+struct RefinementReport {
+    std::string model, output;
+    std::string scheme;  ///< name of the subject that refined
+    core::Precision precision = core::Precision::Double;
+    std::string rule;  ///< adaptive: which faces are subdivided, in words; else empty
+    std::vector<AdaptiveLevelResult>
+        levels;  ///< adaptive: without classes; else only the sizes are filled in
+};
+
+/// Adaptive: the rule, and a line a level with its sizes and the faces by number of edges that are not split.
+/// Always: the file with its counts.
+std::string refinement_as_text(const RefinementReport& report);
+
+/// The document of docs/report.schema.json.
+std::string refinement_as_json(const RefinementReport& report, std::span<const Subject> subjects);
+
+/// An adaptive mesh compared with a subject's uniform refinement.
+struct AdaptiveReport {
+    std::string model;
+    std::string rule;
+    AdaptiveComparison comparison;
+};
+
+/// The rule, a line a level, a line a class of the last level: how many vertices were checked, and how far
+/// the held ones are from where uniform refinement has them.  Then the verdict in words.
+std::string adaptive_as_text(const AdaptiveReport& report, std::string_view version);
+
+/// The document of docs/report.schema.json.
+std::string adaptive_as_json(const AdaptiveReport& report, std::span<const Subject> subjects);
+
+}  // namespace loopcheck::compare

@@ -1,0 +1,211 @@
+// Adaptive refinement against OpenSubdiv's uniform one, and the commands around it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/adaptive/adaptive_comparison.h"
+#include "compare/suite.h"
+#include "core/mesh/io/atomic_file.h"
+#include "core/mesh/io/model.h"
+#include "tests/compare/support.h"
+#include "tests/support/models.h"
+#include "tests/support/results.h"
+#include "tests/support/temporary_folder.h"
+
+namespace loopcheck::compare {
+namespace {
+
+using core::Neighbours;
+using core::where_bent;
+using core::where_smooth;
+using tests::contains;
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kMany = 1e9;
+
+core::AdaptiveRefinement refined(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                                 const core::Criterion& criterion, core::Precision precision, int levels) {
+    return precision == core::Precision::Float
+               ? tests::value_of(core::refine_adaptively<float>(mesh, options, criterion, levels, kMany))
+               : tests::value_of(core::refine_adaptively<double>(mesh, options, criterion, levels, kMany));
+}
+
+// Bit for bit, but where a known deviation of OpenSubdiv shows: there as predicted.
+TEST(AdaptiveComparison, OfEveryModelAgreesWithOpenSubdivInBothPrecisions) {
+    constexpr int kLevels = 3;
+    std::size_t checked = 0, held = 0, elsewhere = 0;
+    for (const std::string& file : tests::model_files()) {
+        const tests::LoadedModel model = tests::load_model(file);
+        for (const auto& criterion : {where_smooth(core::kReportAngle, Neighbours::Edge),
+                                      where_bent(10 * kDegree, Neighbours::Vertex)})
+            for (const char* precision : {"", "-float"}) {
+                const Subject &ours = test::subject(std::string("ours") + precision),
+                              &opensubdiv = test::subject(std::string("opensubdiv") + precision);
+                const auto c = compare_adaptive(
+                    model.mesh, model.options,
+                    refined(model.mesh, model.options, criterion, ours.precision, kLevels), ours, opensubdiv);
+                const bool deviates = contains(model.name, "chaikin-overweight");
+                EXPECT_LE(c.verdict, deviates ? Verdict::KnownDeviation : Verdict::Identical)
+                    << model.name << " " << opensubdiv.name << ": " << c.notes.front();
+                for (const auto& level : c.levels) {
+                    const AdaptiveStats all = total(level);
+                    checked += all.checked.count;
+                    held += all.held.count;
+                    elsewhere += all.held.count - all.held.identical;
+                }
+            }
+    }
+    fmt::print("[ OBSERVED ] {} vertices checked, {} held, {} of those elsewhere\n", checked, held,
+               elsewhere);
+    EXPECT_GT(checked, 10000U);
+    EXPECT_GT(elsewhere, 1000U) << "what is held moves";
+}
+
+TEST(AdaptiveComparison, SeesASubjectThatIsOff) {
+    const auto mesh = test::model_mesh("icosahedron");
+    const Subject off = test::cheat("off", [](core::Refinement& r) { r.levels[2].positions[5].y += 1e-9; });
+    const auto adaptive =
+        refined(mesh, {}, where_smooth(120 * kDegree, Neighbours::Edge), core::Precision::Double, 2);
+    const auto c = compare_adaptive(mesh, {}, adaptive, test::subject("ours"), off);
+    EXPECT_EQ(c.verdict, Verdict::Differs);
+    ASSERT_FALSE(c.notes.empty());
+    EXPECT_EQ(total(c.levels[2]).checked.identical + 1, total(c.levels[2]).checked.count);
+}
+
+TEST(AdaptiveComparison, SeesAnAdaptiveVertexThatIsNotOurOwn) {
+    const auto mesh = test::model_mesh("icosahedron");
+    auto adaptive =
+        refined(mesh, {}, where_smooth(120 * kDegree, Neighbours::Edge), core::Precision::Double, 2);
+    adaptive.refinement.levels[1].positions[0].x += 1e-12;
+    const auto c = compare_adaptive(mesh, {}, adaptive, test::subject("ours"), test::subject("opensubdiv"));
+    EXPECT_EQ(c.verdict, Verdict::Differs);
+    EXPECT_TRUE(contains(c.notes.front(), "1 vertices of the adaptive mesh")) << c.notes.front();
+}
+
+TEST(AdaptiveComparison, SaysWhatASubjectDoesNotSupport) {
+    const auto model = tests::load_model(tests::model_path("crease-loop"));
+    const auto adaptive =
+        refined(model.mesh, model.options, where_smooth(core::kReportAngle, Neighbours::Edge),
+                core::Precision::Double, 1);
+    const Subject* openmesh = nullptr;
+    const auto subjects = built_in_subjects();
+    for (const Subject& s : subjects)
+        if (s.name == "openmesh") openmesh = &s;
+    if (openmesh == nullptr) return;  // not part of this build
+    EXPECT_EQ(compare_adaptive(model.mesh, model.options, adaptive, test::subject("ours"), *openmesh).verdict,
+              Verdict::NotSupported);
+}
+
+class AdaptiveCommand : public testing::Test {
+  protected:
+    test::Outcome run(std::vector<std::string> arguments) const { return test::loopcheck(arguments); }
+
+    const tests::TemporaryFolder folder_;
+    const std::string out_ = folder_ / "out.obj", json_ = folder_ / "report.json";
+};
+
+TEST_F(AdaptiveCommand, WritesAMeshThatCanBeReadAndItsCounts) {
+    const auto r =
+        run({"refine", test::model_path("cow"), "--adaptive", "--levels", "2", "-o", out_, "--json", json_});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto mesh = load_model(out_, false);
+    ASSERT_TRUE(mesh) << core::to_string(mesh.error());
+    const auto report = nlohmann::json::parse(core::read_file(json_).value());
+    const auto& levels = report["refinement"]["levels"];
+    ASSERT_EQ(levels.size(), 3U);
+    EXPECT_EQ(levels[2]["faces"], mesh->mesh.face_count());
+    EXPECT_EQ(levels[2]["vertices"], mesh->mesh.vertex_count());
+    EXPECT_EQ(levels[2]["uniform_faces"], 476 * 16);
+    const auto& c = levels[2]["faces_with_unsplit"];
+    EXPECT_EQ(4 * c[0].get<int>() + 3 * c[1].get<int>() + 2 * c[2].get<int>() + c[3].get<int>(),
+              levels[2]["faces"]);
+    EXPECT_TRUE(contains(r.out, "faces are split where their normal is at most 60 degrees")) << r.out;
+}
+
+TEST_F(AdaptiveCommand, KeepsHolesTagsAndWhatTheBoundaryRulePinned) {
+    for (const char* name : {"hole-open", "hole-at-crease", "semi-sharp-edge-1.5", "crease-loop-one-face",
+                             "semi-sharp-at-boundary"}) {
+        const std::string path = test::model_path(name);
+        const auto control = load_model(path, false);
+        ASSERT_TRUE(control) << name;
+        ASSERT_EQ(run({"refine", path, "--adaptive", "--angle", "30", "--levels", "2", "-o", out_}).code, 0);
+        const auto mesh = load_model(out_, false);
+        ASSERT_TRUE(mesh) << name << core::to_string(mesh.error());
+        const auto options =
+            options_for_model(control->model, std::nullopt, std::nullopt, core::Weights::Loop);
+        const auto direct = refined(control->mesh, options, where_smooth(30 * kDegree, Neighbours::Edge),
+                                    core::Precision::Double, 2);
+        const auto read_again = core::control_level(mesh->mesh, options.boundary);
+        EXPECT_EQ(read_again.sharpness.vertex, direct.last.scheme.sharpness.vertex) << name;
+        std::size_t holes = 0;
+        for (const core::Index f : direct.last.control_face) holes += control->mesh.holes()[f];
+        EXPECT_EQ(
+            static_cast<std::size_t>(std::count(mesh->mesh.holes().begin(), mesh->mesh.holes().end(), 1)),
+            holes)
+            << name;
+    }
+}
+
+TEST_F(AdaptiveCommand, ComparesAndPointsOutEveryClass) {
+    const auto r = run({"compare", test::model_path("cow"), "--adaptive", "--levels", "2", "--json", json_});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "verdict: agree")) << r.out;
+    EXPECT_TRUE(contains(r.out, "bit for bit")) << r.out;
+    const auto report = nlohmann::json::parse(core::read_file(json_).value());
+    const auto& level = report["adaptive"]["levels"][2];
+    std::size_t vertices = 0;
+    for (const auto& row : level["classes"])
+        vertices += row["checked"]["vertices"].get<std::size_t>() +
+                    row["held"]["vertices"].get<std::size_t>() + row["apart"].get<std::size_t>();
+    EXPECT_EQ(vertices, level["vertices"].get<std::size_t>());
+}
+
+TEST_F(AdaptiveCommand, SplitsTheFacesItIsTold) {
+    const std::vector<std::string> base{
+        "refine", test::model_path("cow"), "--adaptive", "--levels", "1", "-o", out_};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), base.begin(), base.end());
+        return run(more);
+    };
+    EXPECT_EQ(with({"--faces", "0-475"}).code, 0);
+    EXPECT_EQ(load_model(out_, false)->mesh.face_count(), 4 * 476);
+    EXPECT_EQ(with({"--faces", "7"}).code, 0);
+    EXPECT_EQ(load_model(out_, false)->mesh.face_count(), 476) << "no neighbour agrees";
+    for (const char* bad : {"476", "-1", "3-1", "a", "1,,2", "1-", "", "0-99999999999999999999"}) {
+        const auto r = with({"--faces", bad});
+        EXPECT_EQ(r.code, 2) << bad;
+        EXPECT_FALSE(r.err.empty()) << bad;
+    }
+}
+
+TEST_F(AdaptiveCommand, RefusesBadFlagsWithoutWriting) {
+    const std::string model = test::model_path("cow");
+    for (const std::vector<std::string>& flags :
+         std::vector<std::vector<std::string>>{{"--adaptive", "--angle", "-1"},
+                                               {"--adaptive", "--angle", "181"},
+                                               {"--adaptive", "--angle", "nan"},
+                                               {"--adaptive", "--angle", "60x"},
+                                               {"--adaptive", "--neighbours", "all"},
+                                               {"--adaptive", "--split", "round"},
+                                               {"--adaptive", "--split", "bent", "--faces", "1"},
+                                               {"--angle", "60"},
+                                               {"--faces", "1"}}) {
+        std::vector<std::string> arguments{"refine", model, "-o", out_};
+        arguments.insert(arguments.end(), flags.begin(), flags.end());
+        const auto r = run(arguments);
+        EXPECT_EQ(r.code, 2) << fmt::format("{}", fmt::join(flags, " "));
+        EXPECT_FALSE(std::filesystem::exists(out_));
+    }
+    EXPECT_EQ(run({"refine", model, "-o", out_, "--adaptive", "--scheme", "opensubdiv"}).code, 3);
+    EXPECT_EQ(run({"refine", model, "-o", out_, "--adaptive", "--levels", "8", "--memory", "0.01"}).code, 2);
+    EXPECT_EQ(run({"refine", model, "-o", out_, "--json", out_}).code, 2);
+    EXPECT_FALSE(std::filesystem::exists(out_));
+    EXPECT_EQ(run({"compare", model, model, "--adaptive"}).code, 2);
+    EXPECT_EQ(run({"compare", model, "--adaptive", "--limit"}).code, 2);
+    EXPECT_EQ(run({"compare", model, "--adaptive", "--subject", "opensubdiv"}).code, 3);
+    EXPECT_EQ(run({"compare", model, "--adaptive", "--levels", "3", "--weights", "warren"}).code, 1);
+}
+
+}  // namespace
+}  // namespace loopcheck::compare
