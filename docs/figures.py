@@ -52,14 +52,18 @@ def draw(axes, vertices, faces, colour, edges, zoom):
     axes.set_axis_off()
 
 
+def refined(loopcheck, model, folder, *flags):
+    """What `loopcheck refine` makes of a model: vertices and triangles."""
+    path = pathlib.Path(folder) / "refined.obj"
+    subprocess.run([loopcheck, "refine", model, "-o", path, *flags], check=True, stdout=subprocess.DEVNULL)
+    return read_obj(path)
+
+
 def draw_levels(loopcheck, model, output, folder):
     """The control mesh and three levels, side by side."""
     figure = plt.figure(figsize=(13, 3.1))
     for level in range(4):
-        path = pathlib.Path(folder) / f"{level}.obj"
-        subprocess.run([loopcheck, "refine", model, "-o", path, "--levels", str(level)], check=True,
-                       stdout=subprocess.DEVNULL)
-        vertices, faces = read_obj(path)
+        vertices, faces = refined(loopcheck, model, folder, "--levels", str(level))
         axes = figure.add_subplot(1, 4, level + 1, projection="3d")
         draw(axes, vertices, faces, (0.86, 0.80, 0.72), edges=level < 2, zoom=1.3)
         name = "control mesh" if level == 0 else f"level {level}"
@@ -70,11 +74,10 @@ def draw_levels(loopcheck, model, output, folder):
 
 def draw_difference(loopcheck, model, output, folder):
     """Where Warren's weights differ from Loop's, at level 3, on a log scale."""
-    mesh, rows = pathlib.Path(folder) / "w.obj", pathlib.Path(folder) / "w.csv"
-    subprocess.run([loopcheck, "refine", model, "-o", mesh, "--levels", "3"], check=True, stdout=subprocess.DEVNULL)
+    rows = pathlib.Path(folder) / "w.csv"
     subprocess.run([loopcheck, "compare", model, "--weights", "warren", "--levels", "3", "--csv", rows],
                    stdout=subprocess.DEVNULL, check=False)  # exits with 1: they differ
-    vertices, faces = read_obj(mesh)
+    vertices, faces = refined(loopcheck, model, folder, "--levels", "3")
     with open(rows, newline="") as file:
         error = np.array([float(row["error"]) for row in csv.DictReader(file) if row["level"] == "3"])
     norm = LogNorm(1e-5, 2e-2)
@@ -85,6 +88,66 @@ def draw_difference(loopcheck, model, output, folder):
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, "cividis"), cax=figure.add_axes([0.84, 0.12, 0.025, 0.76]))
     bar.set_label("largest |difference| of a face's vertices, model units", fontsize=8)
     figure.savefig(output, dpi=110)
+
+
+def draw_lab_figures(loopcheck, model, output, folder):
+    """The lab report's figures 3 and 4: Loop's scheme, and its adaptive variant as the report's program had it."""
+    adaptive = ["--adaptive", "--neighbours", "first-vertex-ring"]
+    figure = plt.figure(figsize=(13, 6.2))
+    for row, (flags, name) in enumerate([([], "Loop"), (adaptive, "adaptive")]):
+        for level in range(4):
+            vertices, faces = refined(loopcheck, model, folder, "--levels", str(level), *flags)
+            axes = figure.add_subplot(2, 4, 4 * row + level + 1, projection="3d")
+            draw(axes, vertices, faces, (0.86, 0.80, 0.72), edges=True, zoom=1.3)
+            axes.set_title(f"{name}, level {level}: {len(faces)} faces", fontsize=9, y=-0.02)
+    figure.subplots_adjust(0, 0.02, 1, 1, 0, 0.06)
+    figure.savefig(output, dpi=110)
+    plt.close(figure)
+
+
+def draw_two_ways(loopcheck, model, output, folder):
+    """What is sharp kept in two ways, and the smooth surface, lit; below, the head alone."""
+    ways = [("adaptive, 60 degrees", ["--adaptive"]), ("creases, 60 degrees", ["--crease-angle", "60"]), ("plain", [])]
+    figure = plt.figure(figsize=(13, 6.6))
+    for column, (name, flags) in enumerate(ways):
+        vertices, faces = refined(loopcheck, model, folder, "--levels", "4", *flags)
+        head = vertices[faces, 0].max(axis=1) < np.quantile(vertices[:, 0], 0.25)
+        for row, shown in enumerate([faces, faces[head]]):
+            axes = figure.add_subplot(2, 3, 3 * row + column + 1, projection="3d")
+            used, renumbered = np.unique(shown, return_inverse=True)
+            draw(axes, vertices[used], renumbered.reshape(-1, 3), (0.86, 0.80, 0.72), edges=False, zoom=1.3)
+            if row == 0:
+                axes.set_title(f"{name}: {len(faces)} faces", fontsize=9, y=-0.02)
+    figure.subplots_adjust(0, 0, 1, 1, 0, 0.02)
+    figure.savefig(output, dpi=90)
+    plt.close(figure)
+
+
+def draw_patterns(output):
+    """How a triangle is replaced, by the edges that are split."""
+    corners = np.array([[0, 0], [1, 0], [0.5, 0.87]])
+    middles = (corners + np.roll(corners, -1, axis=0)) / 2
+    a, b, c, ab, bc, ca = range(6)
+    patterns = [("all edges split", [(a, ab, ca), (ab, b, bc), (ca, bc, c), (bc, ca, ab)], []),
+                ("ab is not", [(a, b, bc), (bc, c, ca), (ca, a, bc)], [(a, b)]),
+                ("only ab is", [(a, ab, c), (ab, b, c)], [(b, c), (c, a)]),
+                ("none is", [(a, b, c)], [(a, b), (b, c), (c, a)])]
+    points = np.vstack([corners, middles])
+    figure, all_axes = plt.subplots(1, 4, figsize=(9, 2.3))
+    for axes, (title, triangles, unsplit) in zip(all_axes, patterns):
+        for triangle in triangles:
+            axes.fill(*points[list(triangle)].T, facecolor="#dbe9f4", edgecolor="0.3", linewidth=1)
+        for edge in unsplit:
+            axes.plot(*points[list(edge)].T, color="#d55e00", linewidth=3)
+        for name, point, shift in zip("abc", corners, [(-0.08, -0.05), (0.08, -0.05), (0, 0.09)]):
+            axes.text(*(point + shift), name, ha="center", va="center", fontsize=9)
+        axes.set_title(title, fontsize=9)
+        axes.set_aspect("equal")
+        axes.margins(0.1)
+        axes.set_axis_off()
+    figure.subplots_adjust(0.01, 0.01, 0.99, 0.88, 0.05, 0)
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
 
 
 def draw_weights(axes, mesh, weights, title):
@@ -538,12 +601,15 @@ def main():
     cow = str(pathlib.Path(models) / "cow.obj")
     with tempfile.TemporaryDirectory() as folder:
         draw_levels(loopcheck, cow, output / "cow-levels.png", folder)
+        draw_lab_figures(loopcheck, cow, output / "adaptive-lab.png", folder)
+        draw_two_ways(loopcheck, cow, output / "adaptive-two-ways.png", folder)
         draw_deviations(loopcheck, output, folder)
         draw_difference(loopcheck, cow, output / "cow-warren.png", folder)
         draw_characteristic_maps(loopcheck, output / "characteristic-maps.png", folder)
         draw_basis(loopcheck, curves / "pulse.txt", output / "curve-basis.png", folder)
         draw_curve_errors(loopcheck, curves, output / "curve-errors.png", folder)
         draw_curve_ends(loopcheck, curves / "lab.txt", output / "curve-ends.png", folder)
+    draw_patterns(output / "adaptive-patterns.png")
     draw_curve_pictures(loopcheck, curves, output)
     draw_eigenvalues(output / "eigenvalues.png")
     draw_twelve_points(output / "twelve-points.png")
