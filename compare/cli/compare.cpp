@@ -13,7 +13,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct CompareFlags {
     std::vector<std::string> models;
     std::string subject = "ours", reference = "opensubdiv", precision = "double";
     RuleFlags rules;
@@ -33,9 +33,9 @@ std::size_t to_count(double size) {
     return static_cast<std::size_t>(size);
 }
 
-std::optional<ModelReport> compare_model(const Context& context, const Flags& flags, const std::string& path,
-                                         const LoadedModel& model, const Subject& a, const Subject& b,
-                                         VertexReports& reports) {
+std::optional<ModelReport> compare_model(const Context& context, const CompareFlags& flags,
+                                         const std::string& path, const LoadedModel& model, const Subject& a,
+                                         const Subject& b, VertexReports& reports) {
     const core::SchemeOptions options = flags.rules.for_model(model.model);
     const std::array both{&a, &b};
     const double bytes =
@@ -78,7 +78,7 @@ std::vector<core::Triangle> last_triangles(const core::TriangleMesh& mesh, int l
     return std::move(topology.triangles);
 }
 
-int run_compare(const Context& context, const Flags& flags) {
+int run_compare(const Context& context, const CompareFlags& flags) {
     const Subject* a = find_or_complain(context, flags.subject, flags.precision);
     const Subject* b = find_or_complain(context, flags.reference, flags.precision);
     if (a == nullptr || b == nullptr) return kExitUsage;
@@ -127,7 +127,7 @@ int run_compare(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_compare(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<CompareFlags>();
     CLI::App* command = program.add_subcommand("compare", "Compare two subjects on models, vertex by vertex");
     command->add_option("model", flags->models, "OBJ, OFF, PLY or STL files")->required();
     command->add_option("--with", flags->reference, "the reference: what to compare with")

@@ -11,7 +11,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct RefineFlags {
     std::string model, output, scheme = "ours", precision = "double";
     RuleFlags rules;
     WorkFlags work;
@@ -55,7 +55,7 @@ core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& 
     return out;
 }
 
-int run_refine(const Context& context, const Flags& flags) {
+int run_refine(const Context& context, const RefineFlags& flags) {
     const Subject* subject = find_or_complain(context, flags.scheme, flags.precision);
     if (subject == nullptr) return kExitUsage;
     const auto loaded = load_or_complain(context, flags.model, flags.work.triangulate);
@@ -99,7 +99,7 @@ int run_refine(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_refine(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<RefineFlags>();
     CLI::App* command = program.add_subcommand("refine", "Refine a model and write the mesh");
     command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();
     command->add_option("-o,--output", flags->output, "the file to write, by its extension")->required();
