@@ -11,12 +11,6 @@
 namespace loopcheck::compare {
 namespace {
 
-std::string degrees_or_complaint(const std::string& text) {
-    const auto value = core::parse_double(text);
-    return value && *value >= 0 && *value <= 180 ? std::string()
-                                                 : text + " is not an angle from 0 to 180 degrees";
-}
-
 // "0-99,150": the numbers, or nothing where the text is no such list or a number is not below `count`.
 std::optional<std::vector<core::Index>> parse_list(std::string_view text, core::Index count) {
     std::vector<bool> is_listed(static_cast<std::size_t>(count));
@@ -46,7 +40,7 @@ void AdaptiveFlags::add_to(CLI::App& command) {
         .add_option("--angle", degrees,
                     "the largest angle to the neighbours' normals that is smooth, in degrees")
         ->capture_default_str()
-        ->check(degrees_or_complaint)
+        ->check(check_degrees)
         ->needs(adaptive);
     command
         .add_option("--neighbours", neighbours,

@@ -12,13 +12,13 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct AtlasFlags {
     WayFlag way{"bfr"};
     std::vector<int> levels{2, 6, 10};
     std::string json;
 };
 
-int run_atlas(const Context& context, const Flags& flags) {
+int run_atlas(const Context& context, const AtlasFlags& flags) {
     std::vector<int> levels = flags.levels;
     std::sort(levels.begin(), levels.end());
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
@@ -44,7 +44,7 @@ int run_atlas(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_atlas(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<AtlasFlags>();
     CLI::App* command = program.add_subcommand(
         "atlas", "How far OpenSubdiv's surfaces are off around each kind of vertex, for any geometry");
     flags->way.add_to(*command);

@@ -74,15 +74,17 @@ double WorkFlags::memory_limit() const {
     return memory_gib > 0 ? memory_gib * 1024 * 1024 * 1024 : available_memory();
 }
 
+std::string check_degrees(const std::string& text) {
+    const auto value = core::parse_double(text);
+    return value && *value >= 0 && *value <= 180 ? std::string()
+                                                 : text + " is not an angle from 0 to 180 degrees";
+}
+
 void MeshFlags::add_to(CLI::App& command) {
     command
         .add_option("--crease-angle", crease_angle,
                     "make edges infinitely sharp where faces meet at more than so many degrees, 0 to 180")
-        ->check([](const std::string& text) {
-            const auto value = core::parse_double(text);
-            return value && *value >= 0 && *value <= 180 ? std::string()
-                                                         : text + " is not an angle from 0 to 180 degrees";
-        });
+        ->check(check_degrees);
 }
 
 std::optional<CreaseTags> MeshFlags::apply_to(core::TriangleMesh& mesh) const {

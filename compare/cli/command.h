@@ -65,6 +65,9 @@ struct WorkFlags {
     double memory_limit() const;
 };
 
+/// Nothing where the text is an angle from 0 to 180 degrees, else a complaint.
+std::string check_degrees(const std::string& text);
+
 /// --crease-angle: what is done to a mesh before it is refined.
 struct MeshFlags {
     std::optional<double> crease_angle;  ///< degrees

@@ -10,12 +10,11 @@
 #include "compare/referee.h"
 #include "compare/report/refinement.h"
 #include "compare/report/report.h"
-#include "compare/words.h"
 
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct CompareFlags {
     std::vector<std::string> models;
     std::string subject = "ours", reference = "opensubdiv", precision = "double";
     RuleFlags rules;
@@ -37,9 +36,9 @@ std::size_t to_count(double size) {
     return static_cast<std::size_t>(size);
 }
 
-std::optional<ModelReport> compare_model(const Context& context, const Flags& flags, const std::string& path,
-                                         const LoadedModel& model, const Subject& a, const Subject& b,
-                                         VertexReports& reports) {
+std::optional<ModelReport> compare_model(const Context& context, const CompareFlags& flags,
+                                         const std::string& path, const LoadedModel& model, const Subject& a,
+                                         const Subject& b, VertexReports& reports) {
     const core::SchemeOptions options = flags.rules.for_model(model.model);
     const std::array both{&a, &b};
     const double bytes =
@@ -83,7 +82,7 @@ std::vector<core::Triangle> last_triangles(const core::TriangleMesh& mesh, int l
 }
 
 // Our adaptive refinement of one model against the uniform one of `b`.
-int run_adaptive(const Context& context, const Flags& flags, const Subject& ours, const Subject& b) {
+int run_adaptive(const Context& context, const CompareFlags& flags, const Subject& ours, const Subject& b) {
     if (ours.family != "ours") {
         context.err << fmt::format("{} has no adaptive refinement.\n", ours.name);
         return kExitFailed;
@@ -113,9 +112,8 @@ int run_adaptive(const Context& context, const Flags& flags, const Subject& ours
         complain(context, path, refined.error());
         return kExitFailed;
     }
-    const AdaptiveReport report{path, flags.adaptive.in_words(),
+    const AdaptiveReport report{path, creases, flags.adaptive.in_words(),
                                 compare_adaptive(model->mesh, options, *refined, ours, b)};
-    if (creases) context.out << creases_in_words(*creases) << "\n";
     context.out << adaptive_as_text(report, b.version);
     if (!flags.json.empty() &&
         !write_or_complain(context, flags.json, adaptive_as_json(report, context.subjects)))
@@ -123,7 +121,7 @@ int run_adaptive(const Context& context, const Flags& flags, const Subject& ours
     return exit_code(report.comparison.verdict);
 }
 
-int run_compare(const Context& context, const Flags& flags) {
+int run_compare(const Context& context, const CompareFlags& flags) {
     const Subject* a = find_or_complain(context, flags.subject, flags.precision);
     const Subject* b = find_or_complain(context, flags.reference, flags.precision);
     if (a == nullptr || b == nullptr) return kExitUsage;
@@ -181,7 +179,7 @@ int run_compare(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_compare(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<CompareFlags>();
     CLI::App* command = program.add_subcommand("compare", "Compare two subjects on models, vertex by vertex");
     command->add_option("model", flags->models, "OBJ, OFF, PLY or STL files")->required();
     command->add_option("--with", flags->reference, "the reference: what to compare with")

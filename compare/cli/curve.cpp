@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostFlatPoints = 1'000'000;
 
-struct Flags {
+struct CurveFlags {
     std::string points, ends, peer, json, csv, svg, matrix;
     std::string section;  // of the lab report
     WorkFlags work;
@@ -34,7 +34,7 @@ std::string check_positive(const std::string& text) {
     return value && *value > 0 && std::isfinite(*value) ? std::string() : text + " is not a positive number";
 }
 
-std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context, const Flags& flags,
+std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context, const CurveFlags& flags,
                                                          const core::PointsFile& file) {
     const core::CurveShape shape{flags.degree,
                                  flags.closed ? core::Ends::Closed : core::parse_ends(flags.ends).value()};
@@ -45,11 +45,11 @@ std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context,
 }
 
 // Points of the last level: at most 2^L times as many.
-double last_level_points(const core::Curve<glm::dvec3>& curve, const Flags& flags) {
+double last_level_points(const core::Curve<glm::dvec3>& curve, const CurveFlags& flags) {
     return std::ldexp(static_cast<double>(curve.size()), flags.work.levels);
 }
 
-std::optional<core::Error> check_size(const core::Curve<glm::dvec3>& curve, const Flags& flags) {
+std::optional<core::Error> check_size(const core::Curve<glm::dvec3>& curve, const CurveFlags& flags) {
     const double points = last_level_points(curve, flags);
     const double weights =
         flags.matrix.empty() ? 0 : static_cast<double>(curve.size()) * (curve.shape().degree + 1);
@@ -70,7 +70,7 @@ ToleranceReport report_tolerance(const core::Curve<glm::dvec3>& curve, double to
     return out;
 }
 
-bool write_matrix(const Context& context, const Flags& flags, const core::Curve<glm::dvec3>& curve) {
+bool write_matrix(const Context& context, const CurveFlags& flags, const core::Curve<glm::dvec3>& curve) {
     const auto matrix = core::subdivision_matrix(curve.shape(), curve.size());
     if (!matrix) {
         complain(context, flags.points, matrix.error());
@@ -85,7 +85,7 @@ bool write_matrix(const Context& context, const Flags& flags, const core::Curve<
                         printable(flags.points), curve.shape().degree, core::name(curve.shape().ends))));
 }
 
-bool write_files(const Context& context, const Flags& flags, const CurveReport& report) {
+bool write_files(const Context& context, const CurveFlags& flags, const CurveReport& report) {
     const auto write = [&](const std::string& path, auto make) {
         return path.empty() || write_or_complain(context, path, make());
     };
@@ -104,7 +104,7 @@ std::vector<const Subject*> peers(const Context& context, const Subject& subject
     return out;
 }
 
-int run_curve(const Context& context, const Flags& flags) {
+int run_curve(const Context& context, const CurveFlags& flags) {
     if (flags.lab_report) {
         context.out << lab_report_as_text(flags.section);
         return 0;
@@ -150,7 +150,7 @@ int run_curve(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_curve(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<CurveFlags>();
     flags->ends = core::name(core::Ends::Natural);
     CLI::App* command = program.add_subcommand(
         "curve", "Subdivide a B-spline curve and hold it against its limit, 38 digits and OpenSubdiv");

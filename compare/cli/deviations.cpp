@@ -10,11 +10,11 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct DeviationsFlags {
     std::string json;
 };
 
-int run_deviations(const Context& context, const Flags& flags) {
+int run_deviations(const Context& context, const DeviationsFlags& flags) {
     std::vector<Demonstration> shown;
     std::vector<std::vector<std::string>> rows{{"deviation", "kind", "predicted", "observed", "status"}};
     int code = 0;
@@ -44,7 +44,7 @@ int run_deviations(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_deviations(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<DeviationsFlags>();
     CLI::App* command = program.add_subcommand(
         "deviations", "Show every known deviation again, on the smallest mesh, as predicted and as observed");
     command->add_option("--json", flags->json, "write meshes and weights as JSON");

@@ -15,7 +15,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct ExplainFlags {
     std::string model, deviation;
     RuleFlags rules;
     bool triangulate = false;
@@ -41,7 +41,7 @@ int explain_deviation(const Context& context, std::string_view name) {
     return demonstration->status == DeviationStatus::AsPredicted ? 0 : 1;
 }
 
-int run_explain(const Context& context, const Flags& flags) {
+int run_explain(const Context& context, const ExplainFlags& flags) {
     if (!flags.deviation.empty()) {
         if (flags.model.empty() && !flags.vertex) return explain_deviation(context, flags.deviation);
         context.err << "--deviation brings its own mesh: no model or --vertex goes with it.\n";
@@ -79,7 +79,7 @@ int run_explain(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_explain(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<ExplainFlags>();
     CLI::App* command =
         program.add_subcommand("explain", "Show the rule and mask of a vertex, and what subjects compute");
     command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file");

@@ -14,7 +14,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct GridFlags {
     std::string points, json;
     std::size_t columns = 0;
     bool closed_u = false, closed_v = false;
@@ -26,7 +26,7 @@ core::Ends ends_of(bool closed) {
 }
 
 // Why the points are no such grid, or too many.
-std::optional<core::Error> check_grid(const core::PointsFile& file, const Flags& flags) {
+std::optional<core::Error> check_grid(const core::PointsFile& file, const GridFlags& flags) {
     if (file.points.size() % flags.columns != 0)
         return core::Error{
             core::ErrorCode::BadSyntax,
@@ -39,7 +39,7 @@ std::optional<core::Error> check_grid(const core::PointsFile& file, const Flags&
                         flags.work.memory_limit());
 }
 
-int run_grid(const Context& context, const Flags& flags) {
+int run_grid(const Context& context, const GridFlags& flags) {
     const std::array outputs{flags.json};
     const std::array inputs{flags.points};
     if (outputs_clash(context, outputs, inputs)) return kExitUsage;
@@ -81,7 +81,7 @@ int run_grid(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_grid(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<GridFlags>();
     flags->work.levels = 4;
     CLI::App* command = program.add_subcommand(
         "grid", "Hold a bicubic B-spline surface against OpenSubdiv's Catmull-Clark scheme on the same grid");

@@ -12,7 +12,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct LimitFlags {
     std::string model, json;
     WayFlag way{"all"};
     RuleFlags rules;
@@ -20,7 +20,7 @@ struct Flags {
     bool triangulate = false;
 };
 
-int run_limit(const Context& context, const Flags& flags) {
+int run_limit(const Context& context, const LimitFlags& flags) {
     if (flags.check.smooth_level > flags.check.sharp_level) {
         context.err << "--approx-smooth must not be above --approx-sharp.\n";
         return kExitUsage;
@@ -58,7 +58,7 @@ int run_limit(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_limit(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<LimitFlags>();
     CLI::App* command = program.add_subcommand(
         "limit", "Compare OpenSubdiv's surfaces of a model with the exact limit surface");
     command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();

@@ -8,13 +8,12 @@
 #include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/report/refinement.h"
-#include "compare/words.h"
 #include "core/loop/refine.h"
 
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct RefineFlags {
     std::string model, output, scheme = "ours", precision = "double", json;
     RuleFlags rules;
     MeshFlags mesh;
@@ -61,9 +60,9 @@ bool is_tagged(const core::TriangleMesh& mesh) {
            std::any_of(mesh.vertex_sharpness().begin(), mesh.vertex_sharpness().end(), is_sharp);
 }
 
-std::optional<Refined> refine_uniformly(const Context& context, const Flags& flags, const Subject& subject,
-                                        const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                                        int& code) {
+std::optional<Refined> refine_uniformly(const Context& context, const RefineFlags& flags,
+                                        const Subject& subject, const core::TriangleMesh& mesh,
+                                        const core::SchemeOptions& options, int& code) {
     code = kExitUsage;
     const int levels = flags.work.levels;
     const double bytes = subject.bytes_per_vertex + kWrittenBytesPerVertex;
@@ -104,9 +103,9 @@ std::optional<Refined> refine_uniformly(const Context& context, const Flags& fla
     return out;
 }
 
-std::optional<Refined> refine_only_some(const Context& context, const Flags& flags, const Subject& subject,
-                                        const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                                        int& code) {
+std::optional<Refined> refine_only_some(const Context& context, const RefineFlags& flags,
+                                        const Subject& subject, const core::TriangleMesh& mesh,
+                                        const core::SchemeOptions& options, int& code) {
     code = kExitUsage;
     const auto criterion = flags.adaptive.criterion(context, mesh);
     if (!criterion) return std::nullopt;
@@ -138,7 +137,7 @@ std::optional<Refined> refine_only_some(const Context& context, const Flags& fla
     return out;
 }
 
-bool write_model_or_complain(const Context& context, const Flags& flags, const core::Model& model) {
+bool write_model_or_complain(const Context& context, const RefineFlags& flags, const core::Model& model) {
     const auto written =
         core::write_model(flags.output, model, flags.binary ? core::Encoding::Binary : core::Encoding::Text);
     if (!written) {
@@ -150,7 +149,7 @@ bool write_model_or_complain(const Context& context, const Flags& flags, const c
     return true;
 }
 
-int run_refine(const Context& context, const Flags& flags) {
+int run_refine(const Context& context, const RefineFlags& flags) {
     const Subject* subject = find_or_complain(context, flags.scheme, flags.precision);
     if (subject == nullptr) return kExitUsage;
     const std::array outputs{flags.output, flags.json};
@@ -171,8 +170,8 @@ int run_refine(const Context& context, const Flags& flags) {
     report.output = flags.output;
     report.scheme = subject->name;
     report.precision = subject->precision;
+    report.creases = creases;
     if (!write_model_or_complain(context, flags, refined->model)) return kExitUsage;
-    if (creases) context.out << creases_in_words(*creases) << "\n";
     context.out << refinement_as_text(report);
     if (!flags.json.empty() &&
         !write_or_complain(context, flags.json, refinement_as_json(report, context.subjects)))
@@ -183,7 +182,7 @@ int run_refine(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_refine(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<RefineFlags>();
     CLI::App* command = program.add_subcommand("refine", "Refine a model and write the mesh");
     command->add_option("model", flags->model, "an OBJ, OFF, PLY or STL file")->required();
     command->add_option("-o,--output", flags->output, "the file to write, by its extension")->required();

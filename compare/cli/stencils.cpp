@@ -13,7 +13,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct StencilsFlags {
     std::string model, output;
     std::optional<std::string> at;
     RuleFlags rules;
@@ -71,7 +71,7 @@ core::Result<Stencils> at_location(const core::TriangleMesh& mesh, const core::S
                     1};
 }
 
-core::Result<Stencils> of_level(const Flags& flags, const core::TriangleMesh& mesh,
+core::Result<Stencils> of_level(const StencilsFlags& flags, const core::TriangleMesh& mesh,
                                 const core::SchemeOptions& options) {
     const auto of = flags.limit ? core::StencilOf::VertexLimit : core::StencilOf::Vertex;
     auto matrix = core::stencils(mesh, options, flags.level.value_or(0), of,
@@ -84,7 +84,7 @@ core::Result<Stencils> of_level(const Flags& flags, const core::TriangleMesh& me
                     count};
 }
 
-int run_stencils(const Context& context, const Flags& flags) {
+int run_stencils(const Context& context, const StencilsFlags& flags) {
     std::optional<core::SurfaceLocation> location;
     if (!flags.at && !flags.level && !flags.limit) {
         context.err << "stencils takes --level, --limit or --at.\n";
@@ -130,7 +130,7 @@ int run_stencils(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_stencils(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<StencilsFlags>();
     CLI::App* command = program.add_subcommand(
         "stencils",
         "Write refined vertices, limits or a point of the surface as rows over the control vertices");

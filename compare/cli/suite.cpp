@@ -12,7 +12,7 @@
 namespace loopcheck::compare {
 namespace {
 
-struct Flags {
+struct SuiteFlags {
     std::vector<std::string> paths{"models"};
     WorkFlags work;
     std::string json, junit;
@@ -20,7 +20,7 @@ struct Flags {
     bool no_limit = false;
 };
 
-int run_suite_command(const Context& context, const Flags& flags) {
+int run_suite_command(const Context& context, const SuiteFlags& flags) {
     const std::array outputs{flags.json, flags.junit};
     if (outputs_clash(context, outputs, flags.paths)) return kExitUsage;
     std::vector<std::filesystem::path> models;
@@ -66,7 +66,7 @@ int run_suite_command(const Context& context, const Flags& flags) {
 }  // namespace
 
 Command add_suite(CLI::App& program) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<SuiteFlags>();
     CLI::App* command = program.add_subcommand(
         "suite", "Compare ours with every peer, on every model under every boundary option");
     command->add_option("path", flags->paths, "folders of models, or model files")->capture_default_str();

@@ -108,7 +108,7 @@ class ExactSurface {
     const Grid<ExactPoint>& positions() const { return surface_.grid(); }
 
     // Limit position and derivatives with respect to the parameters of the level.
-    core::SurfacePoint<ExactPoint> limit(std::size_t i, std::size_t j) const {
+    core::TensorPoint<ExactPoint> limit(std::size_t i, std::size_t j) const {
         auto out = core::evaluate(spline_, along_u_[j], along_v_[i]);
         out.du = step() * out.du;
         out.dv = step() * out.dv;
@@ -158,7 +158,7 @@ double angle(const Plane& a, const Plane& b) {
     return glm::dot(a.normal, b.normal) < 0 ? std::numbers::pi - between_planes : between_planes;
 }
 
-void add_normals(TensorLevel& out, const core::SurfacePoint<ExactPoint>& exact, const Plane& ours,
+void add_normals(TensorLevel& out, const core::TensorPoint<ExactPoint>& exact, const Plane& ours,
                  const Plane& theirs, const Bounds& our_bound, const Bounds& their_bound) {
     const auto parts = [](const ExactPoint& t) {
         return DoubleDouble3{to_double_double(t.x), to_double_double(t.y), to_double_double(t.z)};

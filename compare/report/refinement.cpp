@@ -69,6 +69,16 @@ Json sizes(const AdaptiveLevelResult& level, std::size_t number) {
             {"uniform_faces", level.uniform_faces}};
 }
 
+// What was tagged, as a line and as two members.
+std::string creases_line(const std::optional<CreaseTags>& creases) {
+    return creases ? creases_in_words(*creases) + "\n" : "";
+}
+void add_creases(Json& json, const std::optional<CreaseTags>& creases) {
+    if (!creases) return;
+    json["crease_angle"] = creases->degrees;
+    json["crease_edges"] = creases->edges;
+}
+
 Json with_counts(Json json, const AdaptiveLevelResult& level) {
     json["subdividable"] = level.subdividable;
     json["split_edges"] = level.counts.split_edges;
@@ -79,7 +89,7 @@ Json with_counts(Json json, const AdaptiveLevelResult& level) {
 }  // namespace
 
 std::string refinement_as_text(const RefinementReport& report) {
-    std::string out;
+    std::string out = creases_line(report.creases);
     if (!report.rule.empty())
         out += fmt::format("{}: {}\n{}", printable(report.model), report.rule, level_table(report.levels));
     return out + fmt::format("{}: {} vertices, {} faces\n", printable(report.output),
@@ -92,6 +102,7 @@ std::string refinement_as_json(const RefinementReport& report, std::span<const S
     out["model"] = report.model;
     Json refinement{
         {"output", report.output}, {"scheme", report.scheme}, {"precision", core::name(report.precision)}};
+    add_creases(refinement, report.creases);
     if (!report.rule.empty()) refinement["rule"] = report.rule;
     refinement["levels"] = Json::array();
     for (std::size_t l = 0; l < report.levels.size(); ++l) {
@@ -139,6 +150,7 @@ std::string adaptive_as_json(const AdaptiveReport& report, std::span<const Subje
                   {"diagonal", c.diagonal},
                   {"verdict", name(c.verdict)},
                   {"notes", c.notes}};
+    add_creases(adaptive, report.creases);
     adaptive["levels"] = Json::array();
     for (std::size_t l = 0; l < c.levels.size(); ++l) {
         const AdaptiveLevelResult& level = c.levels[l];

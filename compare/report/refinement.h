@@ -1,12 +1,14 @@
 // Reports of what `refine` wrote, and of adaptive refinement against a subject.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compare/adaptive/adaptive_comparison.h"
+#include "compare/loading.h"
 
 namespace loopcheck::compare {
 
@@ -15,13 +17,14 @@ struct RefinementReport {
     std::string model, output;
     std::string scheme;  ///< name of the subject that refined
     core::Precision precision = core::Precision::Double;
-    std::string rule;  ///< adaptive: which faces are subdivided, in words; else empty
+    std::optional<CreaseTags> creases = {};  ///< what --crease-angle tagged
+    std::string rule;                        ///< adaptive: which faces are subdivided, in words; else empty
     std::vector<AdaptiveLevelResult>
         levels;  ///< adaptive: without classes; else only the sizes are filled in
 };
 
-/// Adaptive: the rule, and a line a level with its sizes and the faces by number of edges that are not split.
-/// Always: the file with its counts.
+/// What was tagged; adaptive: the rule, and a line a level with its sizes and the faces by number of edges
+/// that are not split. Always: the file with its counts.
 std::string refinement_as_text(const RefinementReport& report);
 
 /// The document of docs/report.schema.json.
@@ -30,6 +33,7 @@ std::string refinement_as_json(const RefinementReport& report, std::span<const S
 /// An adaptive mesh compared with a subject's uniform refinement.
 struct AdaptiveReport {
     std::string model;
+    std::optional<CreaseTags> creases;
     std::string rule;
     AdaptiveComparison comparison;
 };

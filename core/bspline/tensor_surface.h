@@ -186,17 +186,17 @@ BasisAt<Scalar> basis_at(const Spline<Scalar>& direction, const Scalar& t) {
 
 /// A point of a surface and its derivatives.
 template <CurvePoint P>
-struct SurfacePoint {
+struct TensorPoint {
     P position{}, du{}, dv{}, duu{}, duv{}, dvv{};
 
-    bool operator==(const SurfacePoint&) const = default;
+    bool operator==(const TensorPoint&) const = default;
 };
 
 /// P(u, v) and its derivatives, where the functions of u and v are known: for many points of a lattice.
 template <CurvePoint P>
-SurfacePoint<P> evaluate(const TensorSpline<P>& surface, const BasisAt<ScalarOf<P>>& u,
-                         const BasisAt<ScalarOf<P>>& v) {
-    SurfacePoint<P> out;
+TensorPoint<P> evaluate(const TensorSpline<P>& surface, const BasisAt<ScalarOf<P>>& u,
+                        const BasisAt<ScalarOf<P>>& v) {
+    TensorPoint<P> out;
     for (int i = 0; i <= surface.v.degree; ++i) {
         std::array<P, 3> row{};
         for (int j = 0; j <= surface.u.degree; ++j) {
@@ -221,7 +221,7 @@ SurfacePoint<P> evaluate(const TensorSpline<P>& surface, const BasisAt<ScalarOf<
 /// Error   at most `surface_roundings` of the largest |coordinate| of the points, phantoms included, times
 ///         `derivative_growth` of each direction.
 template <CurvePoint P>
-SurfacePoint<P> evaluate(const TensorSpline<P>& surface, const ScalarOf<P>& u, const ScalarOf<P>& v) {
+TensorPoint<P> evaluate(const TensorSpline<P>& surface, const ScalarOf<P>& u, const ScalarOf<P>& v) {
     return evaluate(surface, basis_at(surface.u, u), basis_at(surface.v, v));
 }
 

@@ -92,7 +92,7 @@ std::vector<Scalar> parameters(const Spline<Scalar>& direction, int count) {
 }
 
 template <class P>
-std::array<P, 6> listed(const SurfacePoint<P>& p) {
+std::array<P, 6> listed(const TensorPoint<P>& p) {
     return {p.position, p.du, p.dv, p.duu, p.duv, p.dvv};
 }
 
@@ -218,8 +218,8 @@ TEST(TensorEvaluate, OfBilinearPatchesIsBilinear) {
     // 1 + 4 u - 3 v + 9 u v
     for (const Rational& u : parameters(surface.u, 4))
         for (const Rational& v : parameters(surface.v, 3))
-            EXPECT_EQ(evaluate(surface, u, v), (SurfacePoint<Rational>{1 + 4 * u - 3 * v + 9 * u * v,
-                                                                       4 + 9 * v, -3 + 9 * u, 0, 9, 0}));
+            EXPECT_EQ(evaluate(surface, u, v),
+                      (TensorPoint<Rational>{1 + 4 * u - 3 * v + 9 * u * v, 4 + 9 * v, -3 + 9 * u, 0, 9, 0}));
 }
 
 // Natural ends keep a line a line, so a bicubic over a bilinear grid is bilinear up to its corners.
@@ -231,8 +231,8 @@ TEST(TensorEvaluate, OfABicubicReproducesBilinearGrids) {
         const auto surface = spline_of(surface_of(std::move(grid), shape));
         for (const Rational& u : parameters(surface.u, 5))
             for (const Rational& v : parameters(surface.v, 4))
-                EXPECT_EQ(evaluate(surface, u, v), (SurfacePoint<Rational>{1 + 4 * u - 3 * v + 9 * u * v,
-                                                                           4 + 9 * v, -3 + 9 * u, 0, 9, 0}));
+                EXPECT_EQ(evaluate(surface, u, v), (TensorPoint<Rational>{1 + 4 * u - 3 * v + 9 * u * v,
+                                                                          4 + 9 * v, -3 + 9 * u, 0, 9, 0}));
     }
 }
 
@@ -258,7 +258,7 @@ TEST(TensorEvaluate, OfACylinderOverACurveIsTheCurve) {
                 EXPECT_EQ(a.dv, 0);
                 EXPECT_EQ(a.duv, 0);
                 EXPECT_EQ(a.dvv, 0);
-                EXPECT_EQ(b, (SurfacePoint<Rational>{a.position, 0, a.du, 0, 0, a.duu}));
+                EXPECT_EQ(b, (TensorPoint<Rational>{a.position, 0, a.du, 0, 0, a.duu}));
             }
     }
 }
