@@ -113,6 +113,10 @@ Deviation deviation_of(std::span<const glm::dvec3> hull, const PlacedTriangle& t
     return out;
 }
 
+Deviation larger(const Deviation& a, const Deviation& b) {
+    return {std::max(a.distance, b.distance), std::max(a.height, b.height), std::max(a.aside, b.aside)};
+}
+
 double distance_to_star(const Deviation& deviation, const PlacedTriangle& triangle,
                         std::span<const PlacedTriangle> star, std::span<const BorderEdge> border) {
     if (!triangle.normal) return kInfinity;

@@ -31,6 +31,8 @@ struct Deviation {
     double height = 0;    ///< over or under its plane; as `distance` where it is degenerate
     double aside = 0;     ///< in the plane, from the triangle to the projection
 };
+/// Of two surfaces together.
+Deviation larger(const Deviation& a, const Deviation& b);
 Deviation deviation_of(std::span<const glm::dvec3> hull, const PlacedTriangle& triangle);
 
 /// The steepest star that `distance_to_star` works with: cos 80 degrees.

@@ -67,19 +67,13 @@ std::array<SurfacePiece, 4> SurfacePiece::children(const SchemeOptions& options)
     return {child(0), child(1), child(2), child(3)};
 }
 
-void SurfacePiece::add_hull(const SchemeOptions& options, int levels, const SubTriangle& within,
-                            std::vector<glm::dvec3>& hull) const {
+void SurfacePiece::add_hull(const SubTriangle& within, std::vector<glm::dvec3>& hull) const {
     if (const auto* quartic = std::get_if<QuarticTriangle>(&surface_)) {
         const QuarticTriangle part = restricted(*quartic, within);
         for (const SubTriangle& child : kChildTriangles) {
             const auto points = restricted(part, child).points;
             hull.insert(hull.end(), points.begin(), points.end());
         }
-        return;
-    }
-    if (levels > 0) {
-        for (const SurfacePiece& child : children(options))
-            child.add_hull(options, levels - 1, kWholeTriangle, hull);
         return;
     }
     const Around& around = *std::get<std::unique_ptr<Around>>(surface_);

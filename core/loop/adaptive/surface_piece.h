@@ -27,15 +27,14 @@ class SurfacePiece {
 
     /// Adds points whose convex hull contains the surface over a triangle within this one.
     ///
-    /// A quartic is split into four once, which brings its points four times as near.  Elsewhere the triangle
-    /// is split `levels` times, and what is not a quartic then is enclosed by all the vertices that its
-    /// surface depends on: around each corner those of the faces that an infinitely sharp edge does not part
-    /// from the triangle.  The vertices of a child on which its surface depends are weighted means of these,
-    /// with no weight negative (but under CreaseShare::Unclamped), so the limit is in their hull.
+    /// A quartic is split into four once, which brings its points four times as near.  Else they are all the
+    /// vertices that the surface depends on: around each corner those of the faces that an infinitely sharp
+    /// edge does not part from the triangle.  The vertices of a child on which its surface depends are
+    /// weighted means of these, no weight is negative (but under CreaseShare::Unclamped), and so the limit is
+    /// in their hull.
     ///
     /// Requires `within` to be the whole triangle where the piece is not regular.
-    void add_hull(const SchemeOptions& options, int levels, const SubTriangle& within,
-                  std::vector<glm::dvec3>& hull) const;
+    void add_hull(const SubTriangle& within, std::vector<glm::dvec3>& hull) const;
 
   private:
     friend class CornerLimits;

@@ -19,7 +19,7 @@
 namespace loopcheck::core {
 namespace {
 
-// How often a piece without polynomial is split for its hull: then its points are an eighth as far apart.
+// How often a piece that is not regular is split for its hull: then its points are an eighth as far apart.
 constexpr int kHullLevels = 3;
 
 // A lattice triangle in use.
@@ -78,6 +78,8 @@ class Tessellator {
     Index number(const Leaf& leaf, int corner);
     bool must_split(Leaf& leaf) const;
     void split_leaf(std::size_t i);
+    Deviation irregular_deviation(const SurfacePiece& piece, const PlacedTriangle& triangle,
+                                  double tolerance) const;
     void judge_leaf(Leaf& leaf, double tolerance) const;
     PlacedTriangle placed(const Triangle& t) const {
         return placed_triangle({positions_[t[0]], positions_[t[1]], positions_[t[2]]});
@@ -181,21 +183,53 @@ void Tessellator::close() {
     }
 }
 
+// The deviation over a piece that is not regular.  Where its points are too far away it is split, up to
+// kHullLevels times, unless what has become regular exceeds the tolerance already.
+Deviation Tessellator::irregular_deviation(const SurfacePiece& piece, const PlacedTriangle& triangle,
+                                           double tolerance) const {
+    Deviation regular, all;
+    std::vector<SurfacePiece> irregular;
+    std::vector<glm::dvec3> hull;
+    const auto add_children = [&](const SurfacePiece& parent, std::vector<SurfacePiece>& to) {
+        for (SurfacePiece& child : parent.children(options_)) {
+            hull.clear();
+            child.add_hull(kWholeTriangle, hull);
+            const Deviation deviation = deviation_of(hull, triangle);
+            all = larger(all, deviation);
+            if (child.is_regular())
+                regular = larger(regular, deviation);
+            else
+                to.push_back(std::move(child));
+        }
+    };
+    piece.add_hull(kWholeTriangle, hull);
+    all = deviation_of(hull, triangle);
+    for (int level = 0; level < kHullLevels; ++level) {
+        if (all.distance <= tolerance || regular.height > tolerance) break;
+        all = regular;
+        std::vector<SurfacePiece> next;
+        if (level == 0) add_children(piece, next);
+        for (const SurfacePiece& parent : irregular) add_children(parent, next);
+        irregular = std::move(next);
+    }
+    return all;
+}
+
 void Tessellator::judge_leaf(Leaf& leaf, double tolerance) const {
     leaf.pattern = split_pattern(leaf.vertices, leaf.midpoints);
     std::vector<glm::dvec3> hull;
     for (int p = 0; p < leaf.pattern.count; ++p) {
         const Triangle& t = leaf.pattern.pieces[p];
+        const PlacedTriangle triangle = placed(t);
+        if (!leaf.surface.is_regular()) {
+            leaf.deviations[p] = irregular_deviation(leaf.surface, triangle, tolerance);
+            continue;
+        }
         SubTriangle within;
         for (int i = 0; i < 3; ++i) within[i] = barycentric_of(place_of(leaf, t[i]));
-        // A piece without polynomial costs most, and most often a rough hull will do.
-        const int most = leaf.surface.is_regular() ? 0 : kHullLevels;
-        for (int levels = 0; levels <= most; ++levels) {
-            hull.clear();
-            leaf.surface.add_hull(options_, levels, within, hull);
-            leaf.deviations[p] = deviation_of(hull, placed(t));
-            if (leaf.deviations[p].distance <= tolerance) break;
-        }
+        hull.clear();
+        leaf.surface.add_hull(within, hull);
+        leaf.deviations[p] = deviation_of(hull, triangle);
     }
     leaf.judged = true;
 }
