@@ -142,7 +142,8 @@ INSTANTIATE_TEST_SUITE_P(Models, TessellateEveryModel, testing::ValuesIn(tests::
                          tests::model_test_name);
 
 TEST(Tessellate, HoldsSmallTolerances) {
-    for (const char* name : {"torus", "bipyramid-03", "crease-bent", "fan-5", "semi-sharp-edge-1.5"}) {
+    for (const char* name :
+         {"torus", "bipyramid-03", "crease-bent", "fan-5", "semi-sharp-edge-1.5", "mixed-valence"}) {
         const auto [stem, mesh, options] = with_a_surface(tests::model_path(name));
         const double tolerance = 5e-4 * mesh.diagonal();
         const Tessellation tessellation = tessellated(mesh, options, tolerance);
