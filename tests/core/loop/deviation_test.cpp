@@ -41,17 +41,17 @@ TEST(Deviation, IsTheLargestOfTheHull) {
 }
 
 // The lattice around kTriangle, bent along its edges by `rise` outside.
-struct Star {
+struct BentStar {
     std::vector<PlacedTriangle> triangles;
     std::vector<BorderEdge> border;
 };
-Star star(double rise) {
+BentStar bent_star(double rise) {
     const std::vector<glm::dvec3> ring{{-4, 0, rise}, {0, -4, rise}, {4, -4, rise},
                                        {8, -4, rise}, {8, 0, rise},  {4, 4, rise},
                                        {0, 8, rise},  {-4, 8, rise}, {-4, 4, rise}};
     // Which corner each border edge sees.
     const std::array<int, 9> corner{0, 0, 1, 1, 1, 2, 2, 2, 0};
-    Star out{{kTriangle}, {}};
+    BentStar out{{kTriangle}, {}};
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec3& a = ring[i];
         const glm::dvec3& b = ring[(i + 1) % ring.size()];
@@ -69,7 +69,7 @@ Star star(double rise) {
 }
 
 double bound(const Deviation& deviation, double rise) {
-    const Star around = star(rise);
+    const BentStar around = bent_star(rise);
     return distance_to_star(deviation, kTriangle, around.triangles, around.border);
 }
 
@@ -91,11 +91,11 @@ TEST(DistanceToStar, SaysNothingBeyondTheBorder) {
 TEST(DistanceToStar, SaysNothingWhereItIsSteepOrDegenerate) {
     EXPECT_LT(bound({9, 0.5, 1}, 16), kInfinity);  // the slope is 16 / sqrt(8), 79.98 degrees
     EXPECT_EQ(bound({9, 0.5, 1}, 17), kInfinity);
-    Star around = star(0);
+    BentStar around = bent_star(0);
     around.triangles.push_back(placed_triangle({{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}));
     EXPECT_EQ(distance_to_star({9, 0.5, 1}, kTriangle, around.triangles, around.border), kInfinity);
     const PlacedTriangle flipped = placed_triangle({{{0, 0, 0}, {0, 4, 0}, {4, 0, 0}}});
-    around = star(0);
+    around = bent_star(0);
     around.triangles.push_back(flipped);
     EXPECT_EQ(distance_to_star({9, 0.5, 1}, kTriangle, around.triangles, around.border), kInfinity);
 }

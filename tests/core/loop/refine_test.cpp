@@ -23,7 +23,7 @@ using tests::steps_of;
 using tests::value_of;
 
 constexpr SchemeOptions kEdgeAndCorner{.boundary = BoundaryRule::EdgeAndCorner};
-constexpr SchemeOptions kNone{.boundary = BoundaryRule::None};
+constexpr SchemeOptions kNoRule{.boundary = BoundaryRule::None};
 
 // The positions of level 1 in exact fractions; every one is a whole number or half of one.
 Positions exact_level_1(MeshData data, const SchemeOptions& options) {
@@ -64,7 +64,7 @@ TEST(Refine, TheSquareAsWrittenByHand) {
         points->insert(points->end(), edge_points.begin(), edge_points.end());
     EXPECT_EQ(level_1(tests::square(), kEdgeAndCorner), kept);
     EXPECT_EQ(level_1(tests::square(), tests::kEdgeOnly), rounded);
-    EXPECT_EQ(level_1(tests::square(), kNone), rounded);
+    EXPECT_EQ(level_1(tests::square(), kNoRule), rounded);
 }
 
 TEST(Refine, TheTriangleAsWrittenByHand) {
@@ -72,7 +72,7 @@ TEST(Refine, TheTriangleAsWrittenByHand) {
     const Positions rounded{{1, 1, 0}, {6, 1, 0}, {1, 6, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     EXPECT_EQ(level_1(tests::triangle(), kEdgeAndCorner), kept);
     EXPECT_EQ(level_1(tests::triangle(), tests::kEdgeOnly), rounded);
-    EXPECT_EQ(level_1(tests::triangle(), kNone), rounded);
+    EXPECT_EQ(level_1(tests::triangle(), kNoRule), rounded);
 }
 
 // The cubic B-spline of the square's boundary, two levels deep: the corner (8, 0) goes to (7, 1), and then to
