@@ -95,8 +95,7 @@ Point<Real> sum_over_ring(const Topology& t, Index v, const std::vector<Real>& w
 }
 
 /// The limit masks of the vertices of a level.  A vertex at or next to a finite sharpness has no mask of its
-/// own kind: its ring is refined until that sharpness is gone, at most 10 levels, and the product is its
-/// mask.
+/// own kind: its ring is refined until that sharpness is gone, at most 10 levels; the product is its mask.
 ///
 /// What was made is kept, so one table serves many vertices.  Holds on to `level`.
 template <class Scalar>

@@ -26,9 +26,8 @@ constexpr LatticePoint midpoint(const LatticePoint& a, const LatticePoint& b) {
     return {(a.u + b.u) / 2, (a.v + b.v) / 2};
 }
 
-/// The same for every face that has the point: a control vertex; a place on a control edge, counted from its
-/// first end; or a place in a face.  So no neighbour is searched for, and two edges with the same ends
-/// differ.
+/// The same for every face that has the point: a control vertex, a place on a control edge counted from its
+/// first end, or a place in a face.  No neighbour is searched for, and edges with the same ends differ.
 struct VertexKey {
     enum class Kind : std::uint8_t { Vertex, Edge, Face };
     Kind kind = Kind::Vertex;

@@ -40,8 +40,7 @@ QuarticTriangle quartic_triangle(std::span<const glm::dvec3, kPatchPoints> patch
 
 /// The same surface over a triangle within this one.
 ///
-/// Method  p_ijk is the blossom of S at i times corner 0, j times corner 1 and k times corner 2, by de
-/// Casteljau.
+/// Method  de Casteljau: p_ijk is the blossom of S at i times corner 0, j times corner 1, k times corner 2.
 QuarticTriangle restricted(const QuarticTriangle& quartic, const SubTriangle& corners);
 
 }  // namespace loopcheck::core

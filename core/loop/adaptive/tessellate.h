@@ -56,10 +56,11 @@ struct TessellationLimits {
 ///         Faces without a limit surface (`no_limit_surface`) have no triangles.
 ///
 /// Bound   Over the parameters of a triangle the surface is in the convex hull of known points
-///         (`SurfacePiece::add_hull`), so it is no further from the triangle than the furthest of these, nor
-///         from the triangles that share a vertex with it than `distance_to_star`; the smaller is the bound.
-///         What is bounded is the distance from every point of the surface to the triangles, not the other
-///         way.  Rounding is not included: see Error.
+///         (`SurfacePiece::add_hull`), so it is no further from the triangle than the furthest of these.
+///         Where that exceeds the tolerance, `distance_to_star` bounds the distance to the triangles that
+///         share a vertex with it: in a flat part nothing is split because triangles are uneven. What is
+///         bounded is the distance from every point of the surface to the triangles, not the other way.
+///         Rounding is not included: see Error.
 ///
 /// Range   tolerance > 0 and finite.  The levels needed are about log4(curvature/tolerance).
 ///
