@@ -7,70 +7,10 @@
 
 #include "core/loop/box_spline.h"
 #include "core/loop/child_parameter.h"
-#include "core/loop/corner_view.h"
-#include "core/loop/sublevel.h"
+#include "core/loop/face_part.h"
 
 namespace loopcheck::core {
 namespace {
-
-// A point of the regular patch: a sum of vertices, most often one.
-struct PatchPoint {
-    std::array<std::pair<Index, int>, 3> terms{};
-    int count = 0;
-
-    PatchPoint() = default;
-    explicit PatchPoint(Index v) : terms{{{v, 1}}}, count(1) {}
-    // x + y - z, which continues the surface linearly beyond the edge (x, y)
-    static PatchPoint across(Index x, Index y, Index z) {
-        PatchPoint p;
-        p.terms = {{{x, 1}, {y, 1}, {z, -1}}};
-        p.count = 3;
-        return p;
-    }
-    // 2 v - e
-    static PatchPoint opposite(Index v, Index e) {
-        PatchPoint p;
-        p.terms = {{{v, 2}, {e, -1}, {}}};
-        p.count = 2;
-        return p;
-    }
-    int magnitude() const { return count == 1 ? 1 : 3; }
-};
-
-// The ring of six around a regular corner, counter-clockwise from the face's next corner on.
-std::array<PatchPoint, 6> ring_of_six(const Topology& t, Index v, const CornerView& view) {
-    const auto ring = t.ring(v);
-    const auto edge = [&](int i) { return t.other_end(ring[(view.sector.first + i) % view.star.ring], v); };
-    const int k = view.sector.faces;
-    std::array<PatchPoint, 6> six;
-    for (int i = 0; i < std::min(k + 1, 6); ++i) six[i] = PatchPoint(edge(i));
-    if (k == 3) {
-        six[4] = PatchPoint::across(v, edge(3), edge(2));
-        six[5] = PatchPoint::across(v, edge(0), edge(1));
-    } else if (k == 1) {
-        six[2] = PatchPoint::across(v, edge(1), edge(0));
-        six[3] = PatchPoint::opposite(v, edge(0));
-        six[4] = PatchPoint::opposite(v, edge(1));
-        six[5] = PatchPoint::across(v, edge(0), edge(1));
-    }
-    std::rotate(six.begin(), six.begin() + view.place, six.end());
-    return six;
-}
-
-using Patch = std::array<PatchPoint, kPatchPoints>;
-
-Patch patch_of(const SchemeLevel& level, Index face, const std::array<CornerView, 3>& views) {
-    const Triangle& corners = level.topology.triangles[face];
-    Patch patch;
-    for (int i = 0; i < 3; ++i) {
-        const auto six = ring_of_six(level.topology, corners[i], views[i]);
-        patch[i] = PatchPoint(corners[i]);
-        patch[3 + i] = six[5];
-        patch[6 + 2 * i] = six[3];
-        patch[7 + 2 * i] = six[4];
-    }
-    return patch;
-}
 
 // The most roundings in an entry of the product of some rows with what they are over.
 int roundings_of(const Rows& rows, Weights weights) {
@@ -111,31 +51,19 @@ int order_of(int derivative) {
 // terms of the control vertices.
 template <class Scalar>
 struct LimitSurface<Scalar>::Node {
-    SubLevel part;
-    Index face = 0;
+    FacePart around;
     std::shared_ptr<const std::vector<Index>> columns;
     Matrix<Scalar> rows;      // per vertex of the part, over the columns; only of the near ones
     std::vector<Index> near;  // the corners and their neighbours, as numbers of the part, ascending
     double roundings = 0;
-    std::array<CornerView, 3> views;
-    std::optional<Patch> patch;  // where all corners are regular
-    std::optional<Step> step;    // to the children, made when first needed
+    std::optional<Step> step;  // to the children, made when first needed
     Matrix<Scalar> step_weights;
     std::array<std::unique_ptr<Node>, 4> children;
 
-    // The face of a level, given by the faces around its corners.
-    Node(const SchemeLevel& level, Index whole_face, Creasing creasing)
-        : part(sublevel_around(
-              level.topology, level.sharpness,
-              vertices_to_keep(level.topology, level.topology.triangles[whole_face], creasing))),
-          face(static_cast<Index>(std::lower_bound(part.faces.begin(), part.faces.end(), whole_face) -
-                                  part.faces.begin())) {
-        const Topology& t = part.level.topology;
-        near = with_neighbours(t, t.triangles[face]);
+    Node(const SchemeLevel& level, Index face, Creasing creasing)
+        : around(face_part(level, face, creasing)),
+          near(with_neighbours(around.part.level.topology, around.corners())) {
         std::sort(near.begin(), near.end());
-        for (int i = 0; i < 3; ++i) views[i] = view_from(part.level, face, i);
-        if (std::all_of(views.begin(), views.end(), [](const CornerView& view) { return view.is_regular(); }))
-            patch = patch_of(part.level, face, views);
     }
 };
 
@@ -152,11 +80,11 @@ void LimitSurface<Scalar>::enter(Index face) {
     face_ = face;
     root_ = std::make_unique<Node>(control_, face, options_.creasing);
     auto columns = std::make_shared<std::vector<Index>>();
-    root_->rows.resize(root_->part.vertices.size());
+    root_->rows.resize(root_->around.part.vertices.size());
     for (const Index v : root_->near) {
         root_->rows[v].assign(root_->near.size(), Scalar(0));
         root_->rows[v][columns->size()] = 1;
-        columns->push_back(root_->part.vertices[v]);
+        columns->push_back(root_->around.part.vertices[v]);
     }
     root_->columns = std::move(columns);
 }
@@ -166,16 +94,16 @@ auto LimitSurface<Scalar>::child(Node& parent, int k) -> Node& {
     auto& slot = parent.children[k];
     if (slot) return *slot;
     if (!parent.step) {
-        parent.step = next_level(parent.part.level, options_).value();  // never too large: a few faces
+        parent.step = next_level(parent.around.part.level, options_).value();  // never too large: a few faces
         parent.step_weights = weights_of<Scalar>(parent.step->rows, options_.weights);
     }
     const Rows& rows = parent.step->rows;
-    slot = std::make_unique<Node>(parent.step->child, 4 * parent.face + k, options_.creasing);
+    slot = std::make_unique<Node>(parent.step->child, 4 * parent.around.face + k, options_.creasing);
     slot->columns = parent.columns;
     slot->roundings = parent.roundings + roundings_of(rows, options_.weights);
-    slot->rows.resize(slot->part.vertices.size());
+    slot->rows.resize(slot->around.part.vertices.size());
     for (const Index near : slot->near) {
-        const Index v = slot->part.vertices[near];
+        const Index v = slot->around.part.vertices[near];
         const auto& weights = parent.step_weights[rows.mask_of_row[v]];
         const auto columns = rows.columns_of(v);
         auto& row = slot->rows[near];
@@ -200,7 +128,7 @@ SurfaceStencil<Scalar> LimitSurface<Scalar>::regular(const Node& node, const Sca
         weights.assign(out.columns.size(), Scalar(0));
         double terms = 0;
         for (int place = 0; place < kPatchPoints; ++place) {
-            const PatchPoint& point = (*node.patch)[place];
+            const PatchPoint& point = (*node.around.patch)[place];
             for (int i = 0; i < point.count; ++i)
                 add_scaled(weights, Scalar(point.terms[i].second * basis[d][place]),
                            node.rows[point.terms[i].first]);
@@ -215,7 +143,7 @@ SurfaceStencil<Scalar> LimitSurface<Scalar>::regular(const Node& node, const Sca
 
 template <class Scalar>
 SurfaceStencil<Scalar> LimitSurface<Scalar>::at_corner(const Node& node, int corner) {
-    const CornerView& view = node.views[corner];
+    const CornerView& view = node.around.views[corner];
     auto found = corner_masks_.find(view.star);
     if (found == corner_masks_.end())
         found = corner_masks_.emplace(view.star, limit_masks<Scalar>(view.star, options_.weights)).first;
@@ -227,8 +155,8 @@ SurfaceStencil<Scalar> LimitSurface<Scalar>::at_corner(const Node& node, int cor
     out.columns = *node.columns;
     out.no_normal = sector->no_normal;
     out.smoothness = out.no_normal == NoNormal::None ? Smoothness::TangentPlane : Smoothness::NoPlane;
-    const Topology& t = node.part.level.topology;
-    const Index v = t.triangles[node.face][corner];
+    const Topology& t = node.around.part.level.topology;
+    const Index v = t.triangles[node.around.face][corner];
     const auto ring = t.ring(v);
     const auto row_of = [&](const std::vector<Scalar>& mask, Derivative d) {
         auto& weights = out.weights[static_cast<int>(d)];
@@ -261,9 +189,9 @@ Result<SurfaceStencil<Scalar>> LimitSurface<Scalar>::stencil(Index face, const S
     Scalar x = u, y = v;
     int turn = 1;
     for (int depth = 0;; ++depth) {
-        if (node->patch) return regular(*node, x, y, depth, turn);
+        if (node->around.patch) return regular(*node, x, y, depth, turn);
         const int corner = depth < kDeepest ? corner_at(x, y) : nearest_corner(x, y);
-        if (corner != kNone && node->views[corner].settled && !node->views[corner].is_regular())
+        if (corner != kNone && node->around.views[corner].settled && !node->around.views[corner].is_regular())
             return at_corner(*node, corner);
         const int k = descend(x, y);
         if (k == 3) turn = -turn;

@@ -230,16 +230,6 @@ LimitMasks<High> semi_sharp_masks(const SchemeLevel& level, const SchemeOptions&
 // -- The vertices of a level.
 
 template <class Real>
-Point<Real> weighted_sum(const Topology& t, Index v, const std::vector<Real>& weights,
-                         std::span<const Point<Real>> positions) {
-    Point<Real> out{};
-    if (weights.empty()) return out;
-    const auto ring = t.ring(v);
-    for (std::size_t i = 0; i < ring.size(); ++i) out += weights[i] * positions[t.other_end(ring[i], v)];
-    return out + weights[ring.size()] * positions[v];
-}
-
-template <class Real>
 LimitLevel limit_level(const SchemeLevel& level, const SchemeOptions& options,
                        std::span<const Point<Real>> positions) {
     LimitTable<Real> table(level, options);
@@ -248,7 +238,7 @@ LimitLevel limit_level(const SchemeLevel& level, const SchemeOptions& options,
     for (Index v = 0; v < level.topology.vertex_count; ++v) {
         const LimitMasks<Real>& masks = table.masks(v);
         const auto add = [&](std::vector<glm::dvec3>& to, const std::vector<Real>& weights) {
-            to.emplace_back(weighted_sum<Real>(level.topology, v, weights, positions));
+            to.emplace_back(sum_over_ring<Real>(level.topology, v, weights, positions));
         };
         add(out.positions, masks.position);
         add(out.tangent1, masks.sectors.empty() ? none : masks.sectors.front().tangent1);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <vector>
 
 #include "core/loop/refine.h"
 #include "core/loop/sectors.h"
 #include "core/mesh/high_precision.h"
+#include "core/mesh/point.h"
 #include "core/mesh/surface.h"
 
 namespace loopcheck::core {
@@ -81,9 +83,19 @@ struct DartTangent {
 };
 DartTangent dart_tangent(int n, Weights weights);
 
+/// The sum of a mask: weights over the other ends of ring(v), in ring order, then v.  Zero where it is empty.
+template <class Real>
+Point<Real> sum_over_ring(const Topology& t, Index v, const std::vector<Real>& weights,
+                          std::span<const Point<Real>> positions) {
+    Point<Real> out{};
+    if (weights.empty()) return out;
+    const auto ring = t.ring(v);
+    for (std::size_t i = 0; i < ring.size(); ++i) out += weights[i] * positions[t.other_end(ring[i], v)];
+    return out + weights[ring.size()] * positions[v];
+}
+
 /// The limit masks of the vertices of a level.  A vertex at or next to a finite sharpness has no mask of its
-/// own kind: its ring is refined until that sharpness is gone, at most 10 levels, and the product is its
-/// mask.
+/// own kind: its ring is refined until that sharpness is gone, at most 10 levels; the product is its mask.
 ///
 /// What was made is kept, so one table serves many vertices.  Holds on to `level`.
 template <class Scalar>
