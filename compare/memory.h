@@ -19,6 +19,10 @@ LevelSize level_size(const core::TriangleMesh& mesh, int level);
 /// Peak memory of writing a mesh, in bytes per vertex.  A test measures it.
 inline constexpr double kWrittenBytesPerVertex = 150;
 
+/// Peak memory of a tessellation within a tolerance, of measuring and of writing it, in bytes per triangle.
+/// A test measures it.
+inline constexpr double kTessellationBytesPerTriangle = 1100;
+
 /// Memory this process may still take, in bytes: the least of what the machine has available, what its
 /// control group (version 2) leaves, and the limit on its address space.
 double available_memory();

@@ -74,6 +74,11 @@ double WorkFlags::memory_limit() const {
     return memory_gib > 0 ? memory_gib * 1024 * 1024 * 1024 : available_memory();
 }
 
+std::string check_positive(const std::string& text) {
+    const auto value = core::parse_double(text);
+    return value && *value > 0 && std::isfinite(*value) ? std::string() : text + " is not a positive number";
+}
+
 std::string check_degrees(const std::string& text) {
     const auto value = core::parse_double(text);
     return value && *value >= 0 && *value <= 180 ? std::string()

@@ -65,6 +65,8 @@ struct WorkFlags {
     double memory_limit() const;
 };
 
+/// Nothing where the text is a positive number, else a complaint.
+std::string check_positive(const std::string& text);
 /// Nothing where the text is an angle from 0 to 180 degrees, else a complaint.
 std::string check_degrees(const std::string& text);
 

@@ -28,12 +28,6 @@ struct CurveFlags {
     double magnify = 1;
 };
 
-// A number as a check of CLI11: what is wrong with the text, or nothing.
-std::string check_positive(const std::string& text) {
-    const auto value = core::parse_double(text);
-    return value && *value > 0 && std::isfinite(*value) ? std::string() : text + " is not a positive number";
-}
-
 std::optional<core::Curve<glm::dvec3>> curve_or_complain(const Context& context, const CurveFlags& flags,
                                                          const core::PointsFile& file) {
     const core::CurveShape shape{flags.degree,

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/report/refinement.h"
+#include "core/loop/adaptive/tessellate.h"
 #include "core/loop/refine.h"
 
 namespace loopcheck::compare {
@@ -20,7 +22,12 @@ struct RefineFlags {
     AdaptiveFlags adaptive;
     WorkFlags work;
     bool binary = false;
+    std::optional<double> tolerance;
+    bool uniform = false;
 };
+
+constexpr int kMostTessellationLevels = 30;
+constexpr double kMostTessellationTriangles = 5e8;
 
 // A refined mesh, ready to be written, and what is said of it.
 struct Refined {
@@ -137,6 +144,56 @@ std::optional<Refined> refine_only_some(const Context& context, const RefineFlag
     return out;
 }
 
+// Points on each edge of a triangle at which a tessellation is measured, less one.
+constexpr int kMeasuredSteps = 3;
+
+std::optional<Refined> refine_within_tolerance(const Context& context, const RefineFlags& flags,
+                                               const Subject& subject, const core::TriangleMesh& mesh,
+                                               const core::SchemeOptions& options, int& code) {
+    code = kExitFailed;
+    if (subject.family != "ours" || subject.precision != core::Precision::Double) {
+        context.err << fmt::format("{} has no exact limit in double; --tolerance is for ours.\n",
+                                   subject.name);
+        return std::nullopt;
+    }
+    code = kExitUsage;
+    const core::TessellationLimits limits{
+        .most_levels = kMostTessellationLevels,
+        .most_triangles = static_cast<std::size_t>(
+            std::min(flags.work.memory_limit() / kTessellationBytesPerTriangle, kMostTessellationTriangles))};
+    Progress progress(context);
+    const auto tessellate = [&](core::Splitting splitting) {
+        return core::tessellate(mesh, options, *flags.tolerance, limits, splitting,
+                                [&](std::size_t triangles) {
+                                    progress.show(fmt::format("{}: {} triangles", flags.model, triangles));
+                                });
+    };
+    const auto made = tessellate(core::Splitting::WhereNeeded);
+    if (!made) {
+        complain(context, flags.model, made.error());
+        return std::nullopt;
+    }
+    progress.show(fmt::format("{}: measuring {} triangles", flags.model, made->triangles.size()));
+    Refined out;
+    out.model.data.positions = made->positions;
+    for (const auto& triangle : made->triangles) out.model.data.add_face(triangle.vertices);
+    out.report.levels = {{.vertices = made->positions.size(), .faces = made->triangles.size()}};
+    out.report.tolerance = ToleranceOutcome{*flags.tolerance,
+                                            made->bound,
+                                            core::measure(mesh, options, *made, kMeasuredSteps),
+                                            made->leaves,
+                                            level_size(mesh, made->deepest_level()).faces,
+                                            {}};
+    if (!flags.uniform) return out;
+    const auto uniform = tessellate(core::Splitting::Everywhere);
+    if (!uniform) {
+        complain(context, flags.model, uniform.error());
+        return std::nullopt;
+    }
+    out.report.tolerance->uniform = {uniform->deepest_level(), uniform->triangles.size(), uniform->bound};
+    return out;
+}
+
 bool write_model_or_complain(const Context& context, const RefineFlags& flags, const core::Model& model) {
     const auto written =
         core::write_model(flags.output, model, flags.binary ? core::Encoding::Binary : core::Encoding::Text);
@@ -158,13 +215,18 @@ int run_refine(const Context& context, const RefineFlags& flags) {
     if (!loaded) return kExitUsage;
     const auto creases = flags.mesh.apply_to(loaded->mesh);
     const core::SchemeOptions options = flags.rules.for_model(loaded->model);
-    const auto refine = flags.adaptive.on ? refine_only_some : refine_uniformly;
+    const auto refine = flags.tolerance     ? refine_within_tolerance
+                        : flags.adaptive.on ? refine_only_some
+                                            : refine_uniformly;
     int code = 0;
     auto refined = refine(context, flags, *subject, loaded->mesh, options, code);
     if (!refined) return code;
+    const std::string how = flags.tolerance ? fmt::format("within {} of its limit surface", *flags.tolerance)
+                            : flags.adaptive.on
+                                ? fmt::format("{} levels, {}", flags.work.levels, flags.adaptive.in_words())
+                                : fmt::format("{} levels", flags.work.levels);
     refined->model.description =
-        fmt::format("{} refined {} levels by {} {}{}", flags.model, flags.work.levels, subject->name,
-                    subject->version, flags.adaptive.on ? ", " + flags.adaptive.in_words() : "");
+        fmt::format("{} refined {} by {} {}", flags.model, how, subject->name, subject->version);
     RefinementReport& report = refined->report;
     report.model = flags.model;
     report.output = flags.output;
@@ -195,6 +257,15 @@ Command add_refine(CLI::App& program) {
     flags->mesh.add_to(*command);
     flags->work.add_to(*command);
     flags->adaptive.add_to(*command);
+    auto* tolerance = command
+                          ->add_option("--tolerance", flags->tolerance,
+                                       "instead of levels: triangles of the limit surface within this "
+                                       "distance of it, in model units")
+                          ->check(check_positive)
+                          ->excludes("--levels")
+                          ->excludes("--adaptive");
+    command->add_flag("--uniform", flags->uniform, "also find the first uniform level within the tolerance")
+        ->needs(tolerance);
     command->add_option("--json", flags->json, "write the sizes of all levels as JSON");
     return [flags](const Context& context) { return run_refine(context, *flags); };
 }

@@ -86,12 +86,42 @@ Json with_counts(Json json, const AdaptiveLevelResult& level) {
     return json;
 }
 
+std::string tolerance_as_text(const ToleranceOutcome& t) {
+    std::vector<std::vector<std::string>> rows{{"level", "triangles"}};
+    for (std::size_t l = 0; l < t.leaves.size(); ++l)
+        if (t.leaves[l] > 0) rows.push_back({cell(l), cell(t.leaves[l])});
+    std::string out = table(rows);
+    out += "levels before the neighbours of finer triangles are cut\n";
+    out += fmt::format(
+        "proven: no point of the limit surface is further than {:.6g} from the mesh; measured: {:.6g}, at {} "
+        "points\n",
+        t.bound, t.measured.largest, t.measured.samples);
+    out +=
+        fmt::format("uniform refinement to level {}: {:.0f} faces\n", t.leaves.size() - 1, t.uniform_faces);
+    if (t.uniform)
+        out += fmt::format("first uniform level within the tolerance: {}, with {} faces, within {:.6g}\n",
+                           t.uniform->level, t.uniform->triangles, t.uniform->bound);
+    return out;
+}
+
+Json json_of(const ToleranceOutcome& t) {
+    Json out{{"tolerance", t.tolerance},      {"bound", t.bound},   {"measured", t.measured.largest},
+             {"samples", t.measured.samples}, {"leaves", t.leaves}, {"uniform_faces", t.uniform_faces}};
+    if (t.uniform)
+        out["uniform"] = {
+            {"level", t.uniform->level}, {"faces", t.uniform->triangles}, {"bound", t.uniform->bound}};
+    return out;
+}
+
 }  // namespace
 
 std::string refinement_as_text(const RefinementReport& report) {
     std::string out = creases_line(report.creases);
     if (!report.rule.empty())
         out += fmt::format("{}: {}\n{}", printable(report.model), report.rule, level_table(report.levels));
+    if (report.tolerance)
+        out += fmt::format("{}: the limit surface within {:.6g}\n{}", printable(report.model),
+                           report.tolerance->tolerance, tolerance_as_text(*report.tolerance));
     return out + fmt::format("{}: {} vertices, {} faces\n", printable(report.output),
                              report.levels.back().vertices, report.levels.back().faces);
 }
@@ -104,8 +134,13 @@ std::string refinement_as_json(const RefinementReport& report, std::span<const S
         {"output", report.output}, {"scheme", report.scheme}, {"precision", core::name(report.precision)}};
     add_creases(refinement, report.creases);
     if (!report.rule.empty()) refinement["rule"] = report.rule;
+    if (report.tolerance) {
+        refinement["vertices"] = report.levels.back().vertices;
+        refinement["faces"] = report.levels.back().faces;
+        refinement["tolerance"] = json_of(*report.tolerance);
+    }
     refinement["levels"] = Json::array();
-    for (std::size_t l = 0; l < report.levels.size(); ++l) {
+    for (std::size_t l = 0; l < report.levels.size() && !report.tolerance; ++l) {
         const AdaptiveLevelResult& level = report.levels[l];
         Json entry = sizes(level, l);
         refinement["levels"].push_back(report.rule.empty() ? entry : with_counts(std::move(entry), level));

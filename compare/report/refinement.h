@@ -9,8 +9,24 @@
 
 #include "compare/adaptive/adaptive_comparison.h"
 #include "compare/loading.h"
+#include "core/loop/adaptive/measure.h"
 
 namespace loopcheck::compare {
+
+/// The limit surface as triangles within a tolerance.
+struct ToleranceOutcome {
+    double tolerance = 0;
+    double bound = 0;                 ///< proven of the triangles that were written
+    core::MeasuredDistance measured;  ///< and seen
+    std::vector<std::size_t> leaves;  ///< by level
+    double uniform_faces = 0;         ///< of uniform refinement to the deepest level
+    struct Uniform {
+        int level = 0;
+        std::size_t triangles = 0;
+        double bound = 0;
+    };
+    std::optional<Uniform> uniform;  ///< the first uniform level within the tolerance, where it was asked for
+};
 
 /// A mesh that was refined and written.
 struct RefinementReport {
@@ -19,12 +35,14 @@ struct RefinementReport {
     core::Precision precision = core::Precision::Double;
     std::optional<CreaseTags> creases = {};  ///< what --crease-angle tagged
     std::string rule;                        ///< adaptive: which faces are subdivided, in words; else empty
-    std::vector<AdaptiveLevelResult>
-        levels;  ///< adaptive: without classes; else only the sizes are filled in
+    /// Adaptive: without classes; else only the sizes.  With a tolerance one entry: what was written.
+    std::vector<AdaptiveLevelResult> levels;
+    std::optional<ToleranceOutcome> tolerance = {};
 };
 
 /// What was tagged; adaptive: the rule, and a line a level with its sizes and the faces by number of edges
-/// that are not split. Always: the file with its counts.
+/// that are not split; with a tolerance what is proven and what was measured. Always: the file with its
+/// counts.
 std::string refinement_as_text(const RefinementReport& report);
 
 /// The document of docs/report.schema.json.

@@ -207,5 +207,54 @@ TEST_F(AdaptiveCommand, RefusesBadFlagsWithoutWriting) {
     EXPECT_EQ(run({"compare", model, "--adaptive", "--levels", "3", "--weights", "warren"}).code, 1);
 }
 
+TEST_F(AdaptiveCommand, WritesTheLimitSurfaceWithinATolerance) {
+    for (const double tolerance : {0.1, 0.01}) {
+        const auto r = run({"refine", test::model_path("cow"), "--tolerance", fmt::format("{}", tolerance),
+                            "-o", out_, "--json", json_});
+        ASSERT_EQ(r.code, 0) << r.err;
+        const auto refinement = nlohmann::json::parse(core::read_file(json_).value())["refinement"];
+        const auto& found = refinement["tolerance"];
+        EXPECT_LE(found["bound"], tolerance);
+        EXPECT_LE(found["measured"], found["bound"]);
+        EXPECT_GT(found["measured"], 0);
+        const auto mesh = load_model(out_, false);
+        ASSERT_TRUE(mesh) << core::to_string(mesh.error());
+        EXPECT_EQ(refinement["faces"], mesh->mesh.face_count());
+        EXPECT_LE(refinement["faces"], found["uniform_faces"]);
+    }
+}
+
+TEST_F(AdaptiveCommand, FindsTheUniformLevelWithinATolerance) {
+    ASSERT_EQ(run({"refine", test::model_path("cow"), "--tolerance", "0.05", "--uniform", "-o", out_,
+                   "--json", json_})
+                  .code,
+              0);
+    const auto refinement = nlohmann::json::parse(core::read_file(json_).value())["refinement"];
+    const auto& uniform = refinement["tolerance"]["uniform"];
+    EXPECT_LE(uniform["bound"], 0.05);
+    EXPECT_EQ(uniform["faces"], 476 << (2 * uniform["level"].get<int>()));
+    EXPECT_LT(2 * refinement["faces"].get<int>(), uniform["faces"]) << "less than half the faces";
+}
+
+TEST_F(AdaptiveCommand, RefusesAToleranceItCannotKeep) {
+    const std::string model = test::model_path("cow");
+    const auto with = [&](std::vector<std::string> flags, const std::string& path) {
+        flags.insert(flags.begin(), {"refine", path, "-o", out_});
+        return run(flags);
+    };
+    for (const char* bad : {"0", "-1", "nan", "inf", "1x", ""})
+        EXPECT_EQ(with({"--tolerance", bad}, model).code, 2) << bad;
+    const auto small = with({"--tolerance", "1e-9", "--memory", "0.01"}, model);
+    EXPECT_EQ(small.code, 2);
+    EXPECT_TRUE(contains(small.err, "[too-large]")) << small.err;
+    EXPECT_EQ(with({"--tolerance", "1", "--levels", "2"}, model).code, 2);
+    EXPECT_EQ(with({"--tolerance", "1", "--adaptive"}, model).code, 2);
+    EXPECT_EQ(with({"--uniform"}, model).code, 2);
+    EXPECT_EQ(with({"--tolerance", "1", "--precision", "float"}, model).code, 3);
+    EXPECT_EQ(with({"--tolerance", "1", "--scheme", "opensubdiv"}, model).code, 3);
+    EXPECT_EQ(with({"--tolerance", "1"}, test::model_path("boundary-none")).code, 2);
+    EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
 }  // namespace
 }  // namespace loopcheck::compare

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "compare/adaptive/adaptive_comparison.h"
 #include "compare/curve/curve_comparison.h"
@@ -153,6 +154,16 @@ TEST(MemoryEstimate, CoversAdaptiveRefinement) {
                       kAdaptiveBytesPerFace * faces / level_size(mesh, kLevels).vertices,
                   {"compare", model_path("cow"), "--adaptive", "--angle", "180", "--levels", levels}, mesh,
                   kLevels);
+}
+
+TEST(MemoryEstimate, CoversATessellation) {
+    const std::string json = testing::TempDir() + "memory.json";
+    const std::vector<std::string> arguments{
+        "refine",      model_path("cow"), "-o",     testing::TempDir() + "memory.obj",
+        "--tolerance", "0.0004",          "--json", json};
+    ASSERT_EQ(test::loopcheck(arguments).code, 0);
+    const auto report = nlohmann::json::parse(core::read_file(json).value());
+    expect_covers(kTessellationBytesPerTriangle, arguments, report["refinement"]["faces"].get<double>());
 }
 
 TEST(MemoryEstimate, CoversACurve) {

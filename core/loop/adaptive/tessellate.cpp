@@ -68,15 +68,16 @@ class Tessellator {
     bool is_within(double tolerance) const {
         return std::all_of(bounds_.begin(), bounds_.end(), [&](double b) { return b <= tolerance; });
     }
-    void split(double tolerance, Splitting splitting);
-    std::optional<Error> beyond(double tolerance, const TessellationLimits& limits) const;
+    std::vector<std::size_t> failing(double tolerance, Splitting splitting) const;
+    std::optional<Error> beyond(double tolerance, std::size_t to_split,
+                                const TessellationLimits& limits) const;
+    void split_leaf(std::size_t i);
     Tessellation result() const;
 
   private:
     Index find(Index face, const LatticePoint& point) const;
     Index number(const Leaf& leaf, int corner);
     bool must_split(Leaf& leaf) const;
-    void split_leaf(std::size_t i);
     Deviation irregular_deviation(const SurfacePiece& piece, const PlacedTriangle& triangle,
                                   double tolerance) const;
     void judge_leaf(Leaf& leaf, double tolerance) const;
@@ -278,19 +279,20 @@ void Tessellator::judge(double tolerance) {
     }
 }
 
-void Tessellator::split(double tolerance, Splitting splitting) {
-    std::vector<std::size_t> failing;
+std::vector<std::size_t> Tessellator::failing(double tolerance, Splitting splitting) const {
+    std::vector<std::size_t> out;
     std::size_t t = 0;
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
         bool fails = splitting == Splitting::Everywhere;
         for (int p = 0; p < leaves_[i].pattern.count; ++p) fails |= !(bounds_[t++] <= tolerance);
-        if (fails) failing.push_back(i);
+        if (fails) out.push_back(i);
     }
-    for (const std::size_t i : failing) split_leaf(i);
+    return out;
 }
 
 // Why the work cannot go on, if so.
-std::optional<Error> Tessellator::beyond(double tolerance, const TessellationLimits& limits) const {
+std::optional<Error> Tessellator::beyond(double tolerance, std::size_t to_split,
+                                         const TessellationLimits& limits) const {
     double worst = 0;
     const Leaf* worst_leaf = nullptr;
     const Leaf* deepest = nullptr;
@@ -311,7 +313,7 @@ std::optional<Error> Tessellator::beyond(double tolerance, const TessellationLim
                      {Place::Kind::Face, worst_leaf->face}};
     };
     if (deepest) return error(fmt::format("more than {} levels", deepest->level));
-    if (worst_leaf && triangles_.size() >= limits.most_triangles)
+    if (triangles_.size() + 3 * to_split > limits.most_triangles)
         return error(fmt::format("more than {} triangles", limits.most_triangles));
     return std::nullopt;
 }
@@ -361,8 +363,9 @@ Result<Tessellation> tessellate(const TriangleMesh& mesh, const SchemeOptions& o
         work.judge(tolerance);
         if (progress) progress(work.triangle_count());
         if (work.is_within(tolerance)) return work.result();
-        if (auto error = work.beyond(tolerance, limits)) return tl::unexpected(*error);
-        work.split(tolerance, splitting);
+        const auto failing = work.failing(tolerance, splitting);
+        if (auto error = work.beyond(tolerance, failing.size(), limits)) return tl::unexpected(*error);
+        for (const std::size_t leaf : failing) work.split_leaf(leaf);
     }
 }
 
