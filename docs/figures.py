@@ -105,21 +105,19 @@ def draw_lab_figures(loopcheck, model, output, folder):
     plt.close(figure)
 
 
-def draw_two_ways(loopcheck, model, output, folder):
-    """What is sharp kept in two ways, and the smooth surface, lit; below, the head alone."""
-    ways = [("adaptive, 60 degrees", ["--adaptive"]), ("creases, 60 degrees", ["--crease-angle", "60"]), ("plain", [])]
-    figure = plt.figure(figsize=(13, 6.6))
+def draw_three_ways(loopcheck, model, output, folder):
+    """What is sharp kept in two ways, lit; and the triangles that a tolerance takes."""
+    ways = [("adaptive, 60 degrees, level 4", ["--adaptive", "--levels", "4"]),
+            ("creases, 60 degrees, level 4", ["--crease-angle", "60", "--levels", "4"]),
+            ("within 0.02 of the limit", ["--tolerance", "0.02"])]
+    figure = plt.figure(figsize=(15, 4.4))
     for column, (name, flags) in enumerate(ways):
-        vertices, faces = refined(loopcheck, model, folder, "--levels", "4", *flags)
-        head = vertices[faces, 0].max(axis=1) < np.quantile(vertices[:, 0], 0.25)
-        for row, shown in enumerate([faces, faces[head]]):
-            axes = figure.add_subplot(2, 3, 3 * row + column + 1, projection="3d")
-            used, renumbered = np.unique(shown, return_inverse=True)
-            draw(axes, vertices[used], renumbered.reshape(-1, 3), (0.86, 0.80, 0.72), edges=False, zoom=1.3)
-            if row == 0:
-                axes.set_title(f"{name}: {len(faces)} faces", fontsize=9, y=-0.02)
-    figure.subplots_adjust(0, 0, 1, 1, 0, 0.02)
-    figure.savefig(output, dpi=90)
+        vertices, faces = refined(loopcheck, model, folder, *flags)
+        axes = figure.add_subplot(1, 3, column + 1, projection="3d")
+        draw(axes, vertices, faces, (0.86, 0.80, 0.72), edges=column == 2, zoom=1.45)
+        axes.set_title(f"{name}: {len(faces)} faces", fontsize=10, y=-0.02)
+    figure.subplots_adjust(0, 0.04, 1, 1, 0, 0)
+    figure.savefig(output, dpi=100)
     plt.close(figure)
 
 
@@ -602,7 +600,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         draw_levels(loopcheck, cow, output / "cow-levels.png", folder)
         draw_lab_figures(loopcheck, cow, output / "adaptive-lab.png", folder)
-        draw_two_ways(loopcheck, cow, output / "adaptive-two-ways.png", folder)
+        draw_three_ways(loopcheck, cow, output / "adaptive-three-ways.png", folder)
         draw_deviations(loopcheck, output, folder)
         draw_difference(loopcheck, cow, output / "cow-warren.png", folder)
         draw_characteristic_maps(loopcheck, output / "characteristic-maps.png", folder)
