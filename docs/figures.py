@@ -114,7 +114,7 @@ def draw_three_ways(loopcheck, model, output, folder):
     for column, (name, flags) in enumerate(ways):
         vertices, faces = refined(loopcheck, model, folder, *flags)
         axes = figure.add_subplot(1, 3, column + 1, projection="3d")
-        draw(axes, vertices, faces, (0.86, 0.80, 0.72), edges=column == 2, zoom=1.45)
+        draw(axes, vertices, faces, (0.86, 0.80, 0.72), edges=column == 2, zoom=1.36)
         axes.set_title(f"{name}: {len(faces)} faces", fontsize=10, y=-0.02)
     figure.subplots_adjust(0, 0.04, 1, 1, 0, 0)
     figure.savefig(output, dpi=100)
