@@ -9,8 +9,9 @@
 #include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/report/refinement.h"
-#include "core/loop/adaptive/tessellate.h"
 #include "core/loop/refine.h"
+#include "core/loop/tessellation/lattice.h"
+#include "core/loop/tessellation/tessellate.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -26,7 +27,6 @@ struct RefineFlags {
     bool uniform = false;
 };
 
-constexpr int kMostTessellationLevels = 30;
 constexpr double kMostTessellationTriangles = 5e8;
 
 // A refined mesh, ready to be written, and what is said of it.
@@ -158,7 +158,7 @@ std::optional<Refined> refine_within_tolerance(const Context& context, const Ref
     }
     code = kExitUsage;
     const core::TessellationLimits limits{
-        .most_levels = kMostTessellationLevels,
+        .most_levels = core::kMostLevels,
         .most_triangles = static_cast<std::size_t>(
             std::min(flags.work.memory_limit() / kTessellationBytesPerTriangle, kMostTessellationTriangles))};
     Progress progress(context);

@@ -9,7 +9,7 @@
 
 #include "compare/adaptive/adaptive_comparison.h"
 #include "compare/loading.h"
-#include "core/loop/adaptive/measure.h"
+#include "core/loop/tessellation/measure.h"
 
 namespace loopcheck::compare {
 

@@ -13,7 +13,8 @@ struct SplitPattern {
     std::array<Triangle, 4> pieces{};
     int count = 0;
 
-    std::span<const Triangle> triangles() const { return {pieces.data(), static_cast<std::size_t>(count)}; }
+    std::span<const Triangle> triangles() const& { return {pieces.data(), static_cast<std::size_t>(count)}; }
+    std::span<const Triangle> triangles() const&& = delete;  // it would outlive the pieces
 };
 
 /// Replaces the triangle (a, b, c) where some of its edges have a midpoint; orientation kept.

@@ -72,7 +72,8 @@ class Splitter {
         Triangle midpoints;
         for (int i = 0; i < 3; ++i) midpoints[i] = point_of_[parent_.face_edges[f][i]];
         const Index first_inner = next_inner_;
-        for (const Triangle& piece : split_pattern(corners, midpoints).triangles()) {
+        const SplitPattern pattern = split_pattern(corners, midpoints);
+        for (const Triangle& piece : pattern.triangles()) {
             const Index face = child().face_count();
             Triangle edges;
             for (int i = 0; i < 3; ++i) {

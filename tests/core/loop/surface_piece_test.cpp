@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/surface_piece.h"
+#include "core/loop/tessellation/surface_piece.h"
 
 #include <gtest/gtest.h>
 

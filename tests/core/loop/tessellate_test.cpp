@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/tessellate.h"
+#include "core/loop/tessellation/tessellate.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <random>
 #include <set>
 
-#include "core/loop/adaptive/measure.h"
 #include "core/loop/child_parameter.h"
 #include "core/loop/evaluate.h"
 #include "core/loop/limit.h"
+#include "core/loop/tessellation/measure.h"
 #include "core/mesh/rounding.h"
 #include "tests/support/models.h"
 #include "tests/support/observed.h"

@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/fans.h"
+#include "core/loop/tessellation/fans.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/tessellate.h"
+#include "core/loop/tessellation/tessellate.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <optional>
 #include <unordered_map>
 
-#include "core/loop/adaptive/deviation.h"
-#include "core/loop/adaptive/fans.h"
-#include "core/loop/adaptive/lattice.h"
 #include "core/loop/adaptive/pattern.h"
-#include "core/loop/adaptive/surface_piece.h"
 #include "core/loop/evaluate.h"
+#include "core/loop/tessellation/deviation.h"
+#include "core/loop/tessellation/fans.h"
+#include "core/loop/tessellation/lattice.h"
+#include "core/loop/tessellation/surface_piece.h"
 
 namespace loopcheck::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/quartic_triangle.h"
+#include "core/loop/tessellation/quartic_triangle.h"
 
 namespace loopcheck::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/lattice.h"
+#include "core/loop/tessellation/lattice.h"
 
 namespace loopcheck::core {
 

@@ -1,4 +1,4 @@
-#include "core/loop/adaptive/deviation.h"
+#include "core/loop/tessellation/deviation.h"
 
 #include <algorithm>
 #include <cmath>

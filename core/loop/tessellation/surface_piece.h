@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/loop/adaptive/quartic_triangle.h"
 #include "core/loop/face_part.h"
 #include "core/loop/limit.h"
+#include "core/loop/tessellation/quartic_triangle.h"
 
 namespace loopcheck::core {
 

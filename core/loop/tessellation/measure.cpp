@@ -1,11 +1,11 @@
-#include "core/loop/adaptive/measure.h"
+#include "core/loop/tessellation/measure.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "core/loop/adaptive/deviation.h"
-#include "core/loop/adaptive/fans.h"
 #include "core/loop/evaluate.h"
+#include "core/loop/tessellation/deviation.h"
+#include "core/loop/tessellation/fans.h"
 
 namespace loopcheck::core {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/loop/adaptive/tessellate.h"
+#include "core/loop/tessellation/tessellate.h"
 #include "core/mesh/surface.h"
 
 namespace loopcheck::core {
