@@ -151,10 +151,10 @@ std::string refinement_as_json(const RefinementReport& report, std::span<const S
 
 std::string adaptive_as_text(const AdaptiveReport& report, std::string_view version) {
     const AdaptiveComparison& c = report.comparison;
-    std::string out =
-        fmt::format("{}: {}\na = ours {}, b = {} {}, uniform; {}, boundary {}\n\n{}", printable(report.model),
-                    report.rule, LOOPCHECK_VERSION, c.subject, version, core::name(c.precision),
-                    core::name(c.options.boundary), level_table(c.levels));
+    std::string out = fmt::format("{}: {}\n{}a = ours {}, b = {} {}, uniform; {}, boundary {}\n\n{}",
+                                  printable(report.model), report.rule, creases_line(report.creases),
+                                  LOOPCHECK_VERSION, c.subject, version, core::name(c.precision),
+                                  core::name(c.options.boundary), level_table(c.levels));
     std::vector<std::vector<std::string>> by_level{stats_header("level")};
     std::vector<std::vector<std::string>> by_class{
         stats_header(fmt::format("class, level {}", c.levels.size() - 1))};

@@ -33,7 +33,7 @@ core::AdaptiveRefinement refined(const core::TriangleMesh& mesh, const core::Sch
 
 // Bit for bit, but where a known deviation of OpenSubdiv shows: there as predicted.
 TEST(AdaptiveComparison, OfEveryModelAgreesWithOpenSubdivInBothPrecisions) {
-    constexpr int kLevels = 3;
+    const int levels = tests::levels_up_to(3);
     std::size_t checked = 0, held = 0, elsewhere = 0;
     for (const std::string& file : tests::model_files()) {
         const tests::LoadedModel model = tests::load_model(file);
@@ -44,7 +44,7 @@ TEST(AdaptiveComparison, OfEveryModelAgreesWithOpenSubdivInBothPrecisions) {
                               &opensubdiv = test::subject(std::string("opensubdiv") + precision);
                 const auto c = compare_adaptive(
                     model.mesh, model.options,
-                    refined(model.mesh, model.options, criterion, ours.precision, kLevels), ours, opensubdiv);
+                    refined(model.mesh, model.options, criterion, ours.precision, levels), ours, opensubdiv);
                 const bool deviates = contains(model.name, "chaikin-overweight");
                 EXPECT_LE(c.verdict, deviates ? Verdict::KnownDeviation : Verdict::Identical)
                     << model.name << " " << opensubdiv.name << ": " << c.notes.front();

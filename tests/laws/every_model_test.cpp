@@ -5,21 +5,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 #include "compare/limit/words.h"
 #include "compare/loading.h"
 #include "compare/referee.h"
 #include "compare/suite.h"
 #include "compare/words.h"
+#include "tests/support/models.h"
 
 namespace loopcheck::compare {
 namespace {
 
-// Levels to refine: 5, or fewer where the tests run under sanitizers.
 int levels() {
-    const char* text = std::getenv("LOOPCHECK_TEST_LEVELS");
-    return text == nullptr ? 5 : std::atoi(text);
+    return tests::levels_up_to(5);
 }
 
 std::vector<std::string> model_names() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -56,6 +57,12 @@ inline std::string model_test_name(const testing::TestParamInfo<std::string>& in
 }
 inline std::string file_test_name(const testing::TestParamInfo<std::string>& info) {
     return test_name(info.param, true);
+}
+
+/// Levels to refine in tests that look at every model: `most`, or fewer where the tests run under sanitizers.
+inline int levels_up_to(int most) {
+    const char* text = std::getenv("LOOPCHECK_TEST_LEVELS");
+    return text == nullptr ? most : std::min(most, std::atoi(text));
 }
 
 /// A model with the rules its file asks for.

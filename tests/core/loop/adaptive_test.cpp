@@ -22,8 +22,11 @@ using tests::value_of;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180;
-constexpr int kAdaptiveLevels = 3;
 constexpr double kManyFaces = 1e9;
+
+int adaptive_levels() {
+    return tests::levels_up_to(3);
+}
 
 // The same flags for the same level, whatever was asked before.
 Criterion at_random(double share) {
@@ -66,7 +69,7 @@ template <class Visit>
 void for_each_step(const tests::LoadedModel& model, Visit visit) {
     for (const Criterion& criterion : criteria(model.mesh)) {
         AdaptiveLevel level = adaptive_control_level(model.mesh, model.options.boundary);
-        for (int l = 0; l < kAdaptiveLevels; ++l) {
+        for (int l = 0; l < adaptive_levels(); ++l) {
             const auto flags = criterion(level);
             auto step = value_of(adaptive_step(level, flags, model.options));
             visit(level, flags, step);
@@ -77,9 +80,9 @@ void for_each_step(const tests::LoadedModel& model, Visit visit) {
 
 template <class Real>
 void expect_same_refinement(const tests::LoadedModel& model) {
-    const auto uniform = value_of(refine<Real>(model.mesh, model.options, kAdaptiveLevels));
+    const auto uniform = value_of(refine<Real>(model.mesh, model.options, adaptive_levels()));
     const auto adaptive = value_of(refine_adaptively<Real>(
-        model.mesh, model.options, where_smooth(kPi, Neighbours::Edge), kAdaptiveLevels, kManyFaces));
+        model.mesh, model.options, where_smooth(kPi, Neighbours::Edge), adaptive_levels(), kManyFaces));
     ASSERT_EQ(adaptive.refinement.levels.size(), uniform.levels.size());
     for (std::size_t l = 0; l < uniform.levels.size(); ++l) {
         const RefinedLevel &a = adaptive.refinement.levels[l], &b = uniform.levels[l];
@@ -219,7 +222,7 @@ TEST(AdaptiveLaws, NoVertexLiesInsideAnEdge) {
         for (const Criterion& criterion : criteria(model.mesh)) {
             AdaptiveLevel level = adaptive_control_level(model.mesh, model.options.boundary);
             std::vector<glm::dvec3> flat = control_positions;
-            for (int l = 0; l < kAdaptiveLevels; ++l) {
+            for (int l = 0; l < adaptive_levels(); ++l) {
                 auto step = value_of(adaptive_step(level, criterion(level), model.options));
                 const Topology& parent = level.scheme.topology;
                 for (std::size_t v = flat.size(); v < step.ancestors.size(); ++v) {
@@ -255,10 +258,10 @@ TEST(AdaptiveLaws, NoVertexLiesInsideAnEdge) {
 
 template <class Real>
 void expect_uniform_positions(const tests::LoadedModel& model, std::size_t& same, std::size_t& all) {
-    const auto uniform = value_of(refine<Real>(model.mesh, model.options, kAdaptiveLevels));
+    const auto uniform = value_of(refine<Real>(model.mesh, model.options, adaptive_levels()));
     for (const Criterion& criterion : criteria(model.mesh)) {
         const auto result = value_of(
-            refine_adaptively<Real>(model.mesh, model.options, criterion, kAdaptiveLevels, kManyFaces));
+            refine_adaptively<Real>(model.mesh, model.options, criterion, adaptive_levels(), kManyFaces));
         for (std::size_t l = 0; l < result.records.size(); ++l) {
             const AdaptiveRecord& record = result.records[l];
             const auto& positions = result.refinement.levels[l].positions;
@@ -351,7 +354,7 @@ TEST(AdaptiveLaws, NeitherNumberingNorTheFirstVertexMattersWithEdgeAndVertexNeig
             AdaptiveLevel b = adaptive_control_level(mesh, model.options.boundary);
             std::vector<Index> vertex = numbers.vertex;
             Bounds bounds = control_bounds(a.positions, Precision::Double);
-            for (int l = 0; l < kAdaptiveLevels; ++l) {
+            for (int l = 0; l < adaptive_levels(); ++l) {
                 auto step_a = value_of(adaptive_step(a, criterion(a), model.options));
                 auto step_b = value_of(adaptive_step(b, criterion(b), model.options));
                 ASSERT_EQ(step_a.counts.faces_with_unsplit, step_b.counts.faces_with_unsplit)
