@@ -34,7 +34,7 @@ std::vector<std::optional<glm::dvec3>> face_normals(const Topology& topology,
 ///
 ///     2 atan2(|m - n|, |m + n|)
 ///
-/// Source  [Kahan06].
+/// Source  W. Kahan; the arc cosine of m . n would lose half of the digits near 0 and pi.
 /// Error   at most kAngleError where the lengths of m and n are within 4 u of 1, also near 0 and pi.
 double angle_between(const glm::dvec3& m, const glm::dvec3& n);
 
