@@ -36,18 +36,18 @@ std::optional<std::vector<core::Index>> parse_list(std::string_view text, core::
 void AdaptiveFlags::add_to(CLI::App& command) {
     auto* adaptive =
         command.add_flag("--adaptive", on, "split only some faces: those that --split or --faces say");
-    command
-        .add_option("--angle", degrees,
-                    "the largest angle to the neighbours' normals that is smooth, in degrees")
-        ->capture_default_str()
-        ->check(check_degrees)
-        ->needs(adaptive);
-    command
-        .add_option("--neighbours", neighbours,
-                    "edge, vertex or first-vertex-ring: the faces a normal is compared with")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"edge", "vertex", "first-vertex-ring"}))
-        ->needs(adaptive);
+    auto* angle = command
+                      .add_option("--angle", degrees,
+                                  "the largest angle to the neighbours' normals that is smooth, in degrees")
+                      ->capture_default_str()
+                      ->check(check_degrees)
+                      ->needs(adaptive);
+    auto* with = command
+                     .add_option("--neighbours", neighbours,
+                                 "edge, vertex or first-vertex-ring: the faces a normal is compared with")
+                     ->capture_default_str()
+                     ->check(CLI::IsMember({"edge", "vertex", "first-vertex-ring"}))
+                     ->needs(adaptive);
     auto* which =
         command
             .add_option("--split", split,
@@ -58,7 +58,9 @@ void AdaptiveFlags::add_to(CLI::App& command) {
             ->needs(adaptive);
     command.add_option("--faces", faces, "split these faces of the model and their parts instead: 0-99,150")
         ->needs(adaptive)
-        ->excludes(which);
+        ->excludes(which)
+        ->excludes(angle)
+        ->excludes(with);
 }
 
 std::optional<core::Criterion> AdaptiveFlags::criterion(const Context& context,
@@ -77,7 +79,10 @@ std::optional<core::Criterion> AdaptiveFlags::criterion(const Context& context,
 }
 
 std::string AdaptiveFlags::in_words() const {
-    if (faces) return fmt::format("adaptive, faces {} are split", *faces);
+    constexpr std::size_t kShown = 60;
+    if (faces)
+        return fmt::format("adaptive, faces {}{} and their parts are subdividable", faces->substr(0, kShown),
+                           faces->size() > kShown ? "..." : "");
     return fmt::format(
         "adaptive, faces are split where their normal is {} {:.6g} degrees from {} ({} neighbours)",
         split == "smooth" ? "at most" : "more than", degrees,

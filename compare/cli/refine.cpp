@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/report/refinement.h"
+#include "core/loop/evaluate.h"
 #include "core/loop/refine.h"
 #include "core/loop/tessellation/lattice.h"
 #include "core/loop/tessellation/tessellate.h"
@@ -178,19 +180,22 @@ std::optional<Refined> refine_within_tolerance(const Context& context, const Ref
     out.model.data.positions = made->positions;
     for (const auto& triangle : made->triangles) out.model.data.add_face(triangle.vertices);
     out.report.levels = {{.vertices = made->positions.size(), .faces = made->triangles.size()}};
-    out.report.tolerance = ToleranceOutcome{*flags.tolerance,
-                                            made->bound,
-                                            core::measure(mesh, options, *made, kMeasuredSteps),
-                                            made->leaves,
-                                            level_size(mesh, made->deepest_level()).faces,
-                                            {}};
+    core::Index with_surface = 0;
+    for (core::Index f = 0; f < mesh.face_count(); ++f)
+        with_surface += core::no_limit_surface(mesh, options.boundary, f) ? 0 : 1;
+    ToleranceOutcome& outcome = out.report.tolerance.emplace();
+    outcome.tolerance = *flags.tolerance;
+    outcome.bound = made->bound;
+    outcome.measured = core::measure(mesh, options, *made, kMeasuredSteps);
+    outcome.leaves = made->leaves;
+    outcome.uniform_faces = std::ldexp(with_surface, 2 * made->deepest_level());
+    outcome.without_surface = mesh.face_count() - with_surface;
     if (!flags.uniform) return out;
     const auto uniform = tessellate(core::Splitting::Everywhere);
-    if (!uniform) {
-        complain(context, flags.model, uniform.error());
-        return std::nullopt;
-    }
-    out.report.tolerance->uniform = {uniform->deepest_level(), uniform->triangles.size(), uniform->bound};
+    if (uniform)
+        outcome.uniform = {uniform->deepest_level(), uniform->triangles.size(), uniform->bound};
+    else
+        outcome.no_uniform = core::to_string(uniform.error());
     return out;
 }
 
@@ -209,8 +214,9 @@ bool write_model_or_complain(const Context& context, const RefineFlags& flags, c
 int run_refine(const Context& context, const RefineFlags& flags) {
     const Subject* subject = find_or_complain(context, flags.scheme, flags.precision);
     if (subject == nullptr) return kExitUsage;
+    const std::array inputs{flags.model};
     const std::array outputs{flags.output, flags.json};
-    if (outputs_clash(context, outputs, {})) return kExitUsage;
+    if (outputs_clash(context, outputs, inputs)) return kExitUsage;
     auto loaded = load_or_complain(context, flags.model, flags.work.triangulate);
     if (!loaded) return kExitUsage;
     const auto creases = flags.mesh.apply_to(loaded->mesh);

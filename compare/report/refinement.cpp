@@ -43,13 +43,14 @@ std::vector<std::string> stats_header(const std::string& first) {
 }
 
 std::vector<std::string> stats_row(const std::string& first, const AdaptiveStats& s, double diagonal) {
+    const double per = diagonal > 0 ? diagonal : 1;  // of a mesh that is one point nothing moves
     return {first,
             cell(s.checked.count),
             cell(s.checked.identical),
             cell(s.held.count),
             cell(s.held.identical),
-            number_cell(s.held.max / diagonal),
-            number_cell(s.held.rms() / diagonal),
+            number_cell(s.held.max / per),
+            number_cell(s.held.rms() / per),
             cell(s.apart)};
 }
 
@@ -93,11 +94,16 @@ std::string tolerance_as_text(const ToleranceOutcome& t) {
     std::string out = table(rows);
     out += "levels before the neighbours of finer triangles are cut\n";
     out += fmt::format(
-        "proven: no point of the limit surface is further than {:.6g} from the mesh; measured: {:.6g}, at {} "
+        "proven, but for rounding: no point of the limit surface is further than {:.6g} from the mesh; "
+        "measured: {:.6g}, at {} "
         "points\n",
         t.bound, t.measured.largest, t.measured.samples);
     out +=
         fmt::format("uniform refinement to level {}: {:.0f} faces\n", t.leaves.size() - 1, t.uniform_faces);
+    if (t.without_surface > 0)
+        out += fmt::format("faces without a limit surface, left out: {}\n", t.without_surface);
+    if (!t.no_uniform.empty())
+        out += fmt::format("first uniform level within the tolerance: not found. {}\n", t.no_uniform);
     if (t.uniform)
         out += fmt::format("first uniform level within the tolerance: {}, with {} faces, within {:.6g}\n",
                            t.uniform->level, t.uniform->triangles, t.uniform->bound);
@@ -105,8 +111,14 @@ std::string tolerance_as_text(const ToleranceOutcome& t) {
 }
 
 Json json_of(const ToleranceOutcome& t) {
-    Json out{{"tolerance", t.tolerance},      {"bound", t.bound},   {"measured", t.measured.largest},
-             {"samples", t.measured.samples}, {"leaves", t.leaves}, {"uniform_faces", t.uniform_faces}};
+    Json out{{"tolerance", t.tolerance},
+             {"bound", t.bound},
+             {"measured", t.measured.largest},
+             {"samples", t.measured.samples},
+             {"leaves", t.leaves},
+             {"uniform_faces", t.uniform_faces},
+             {"without_surface", t.without_surface}};
+    if (!t.no_uniform.empty()) out["no_uniform"] = t.no_uniform;
     if (t.uniform)
         out["uniform"] = {
             {"level", t.uniform->level}, {"faces", t.uniform->triangles}, {"bound", t.uniform->bound}};

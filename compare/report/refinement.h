@@ -19,13 +19,15 @@ struct ToleranceOutcome {
     double bound = 0;                 ///< proven of the triangles that were written
     core::MeasuredDistance measured;  ///< and seen
     std::vector<std::size_t> leaves;  ///< by level
-    double uniform_faces = 0;         ///< of uniform refinement to the deepest level
+    double uniform_faces = 0;         ///< of uniform refinement of the same faces to the deepest level
+    core::Index without_surface = 0;  ///< faces that are left out: they have no limit surface
     struct Uniform {
         int level = 0;
         std::size_t triangles = 0;
         double bound = 0;
     };
     std::optional<Uniform> uniform;  ///< the first uniform level within the tolerance, where it was asked for
+    std::string no_uniform;          ///< why it was not found, where it was asked for
 };
 
 /// A mesh that was refined and written.

@@ -1,6 +1,7 @@
 // A point in space with coordinates of any scalar type.
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <type_traits>
 #include <vector>
@@ -25,6 +26,11 @@ using Point = std::conditional_t<std::is_floating_point_v<Scalar>, glm::vec<3, S
 
 template <class Scalar>
 using Points = std::vector<Point<Scalar>>;
+
+/// 2^exponent p, exact but for underflow.
+inline glm::dvec3 times_power_of_two(const glm::dvec3& p, int exponent) {
+    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+}
 
 /// The positions in another scalar type, each coordinate rounded (or widened) once.
 template <class To, class PointRange>

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compare/adaptive/adaptive_comparison.h"
@@ -189,6 +190,8 @@ TEST_F(AdaptiveCommand, RefusesBadFlagsWithoutWriting) {
                                                {"--adaptive", "--neighbours", "all"},
                                                {"--adaptive", "--split", "round"},
                                                {"--adaptive", "--split", "bent", "--faces", "1"},
+                                               {"--adaptive", "--angle", "30", "--faces", "1"},
+                                               {"--adaptive", "--neighbours", "vertex", "--faces", "1"},
                                                {"--angle", "60"},
                                                {"--faces", "1"}}) {
         std::vector<std::string> arguments{"refine", model, "-o", out_};
@@ -222,6 +225,76 @@ TEST_F(AdaptiveCommand, WritesTheLimitSurfaceWithinATolerance) {
         EXPECT_EQ(refinement["faces"], mesh->mesh.face_count());
         EXPECT_LE(refinement["faces"], found["uniform_faces"]);
     }
+}
+
+TEST_F(AdaptiveCommand, NeverWritesOverTheModelItReads) {
+    const std::string model = folder_ / "model.obj", link = folder_ / "link.obj";
+    const std::string before = core::read_file(test::model_path("icosahedron")).value();
+    ASSERT_TRUE(core::write_file(model, before));
+    std::filesystem::create_symlink(model, link);
+    for (const std::vector<std::string>& how :
+         {std::vector<std::string>{"--levels", "1"}, {"--adaptive", "--levels", "1"}, {"--tolerance", "1"}})
+        for (const std::vector<std::string>& where :
+             {std::vector<std::string>{"-o", model}, {"-o", link}, {"-o", out_, "--json", model}}) {
+            std::vector<std::string> arguments{"refine", model};
+            arguments.insert(arguments.end(), how.begin(), how.end());
+            arguments.insert(arguments.end(), where.begin(), where.end());
+            EXPECT_EQ(run(arguments).code, 2);
+            EXPECT_EQ(core::read_file(model).value(), before);
+        }
+}
+
+// 2^530 overflows when it is squared, 2^-530 underflows.
+TEST_F(AdaptiveCommand, MeasuresTheSameAtEveryScale) {
+    const auto cow = load_model(test::model_path("cow"), false);
+    const auto measured = [&](int exponent) {
+        core::Model scaled;
+        for (const auto& p : cow->mesh.positions())
+            scaled.data.positions.push_back(core::times_power_of_two(p, exponent));
+        for (const auto& t : cow->mesh.topology().triangles) scaled.data.add_face(t);
+        const std::string path = folder_ / "scaled.obj";
+        EXPECT_TRUE(core::write_model(path, scaled, core::Encoding::Text));
+        const auto r = run({"refine", path, "--tolerance", fmt::format("{}", std::ldexp(0.0625, exponent)),
+                            "-o", out_, "--json", json_});
+        EXPECT_EQ(r.code, 0) << r.err;
+        const auto report = nlohmann::json::parse(core::read_file(json_).value());
+        return std::ldexp(report["refinement"]["tolerance"]["measured"].get<double>(), -exponent);
+    };
+    const double plain = measured(0);
+    EXPECT_GT(plain, 0);
+    EXPECT_EQ(measured(530), plain);
+    EXPECT_EQ(measured(-530), plain);
+}
+
+TEST_F(AdaptiveCommand, WritesTheMeshAlsoWhereNoUniformLevelFits) {
+    const auto r = run({"refine", test::model_path("cow"), "--tolerance", "0.02", "--uniform", "--memory",
+                        "0.02", "-o", out_, "--json", json_});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "first uniform level within the tolerance: not found.")) << r.out;
+    EXPECT_TRUE(load_model(out_, false));
+    const auto found = nlohmann::json::parse(core::read_file(json_).value())["refinement"]["tolerance"];
+    EXPECT_FALSE(found.contains("uniform"));
+    EXPECT_TRUE(contains(found["no_uniform"], "[too-large]"));
+}
+
+TEST_F(AdaptiveCommand, CountsTheFacesThatHaveNoSurface) {
+    const auto r = run({"refine", test::model_path("grid-4x4"), "--tolerance", "0.1", "--boundary", "none",
+                        "-o", out_, "--json", json_});
+    EXPECT_EQ(r.code, 0) << r.err;
+    const auto found = nlohmann::json::parse(core::read_file(json_).value())["refinement"]["tolerance"];
+    EXPECT_EQ(found["without_surface"], 24);
+    EXPECT_EQ(found["uniform_faces"], 8 << (2 * (found["leaves"].size() - 1)));
+}
+
+TEST_F(AdaptiveCommand, ComparesAMeshThatIsOnePoint) {
+    core::Model point;
+    point.data = tests::tetrahedron();
+    for (auto& p : point.data.positions) p = glm::dvec3(1);
+    const std::string path = folder_ / "point.obj";
+    ASSERT_TRUE(core::write_model(path, point, core::Encoding::Text));
+    const auto r = run({"compare", path, "--adaptive", "--levels", "2"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_FALSE(contains(r.out, "nan")) << r.out;
 }
 
 TEST_F(AdaptiveCommand, FindsTheUniformLevelWithinATolerance) {

@@ -1,6 +1,7 @@
 #include "core/loop/tessellation/measure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/loop/evaluate.h"
@@ -31,10 +32,15 @@ SurfaceLocation sample_of(const TessellationTriangle& triangle, int i, int j, in
 
 MeasuredDistance measure(const TriangleMesh& mesh, const SchemeOptions& options,
                          const Tessellation& tessellation, int n) {
+    const int exponent = std::ilogb(mesh.largest_coordinate());  // as in `tessellate`
+    std::vector<glm::dvec3> control;
+    for (const glm::dvec3& p : mesh.positions()) control.push_back(times_power_of_two(p, -exponent));
     std::vector<Triangle> triangles;
     std::vector<PlacedTriangle> placed;
     for (const TessellationTriangle& t : tessellation.triangles) {
-        const auto at = [&](int i) { return tessellation.positions[t.vertices[i]]; };
+        const auto at = [&](int i) {
+            return times_power_of_two(tessellation.positions[t.vertices[i]], -exponent);
+        };
         triangles.push_back(t.vertices);
         placed.push_back(placed_triangle({at(0), at(1), at(2)}));
     }
@@ -48,8 +54,8 @@ MeasuredDistance measure(const TriangleMesh& mesh, const SchemeOptions& options,
             for (int j = 0; i + j <= n; ++j) {
                 const SurfaceLocation at = sample_of(tessellation.triangles[t], i, j, n);
                 const auto stencil = surface.stencil(at.face, at.u, at.v).value();
-                const double distance =
-                    nearest(apply<double>(stencil, mesh.positions()).at(Derivative::Position), star);
+                const double distance = std::ldexp(
+                    nearest(apply<double>(stencil, control).at(Derivative::Position), star), exponent);
                 ++out.samples;
                 out.excess = std::max(out.excess, distance - tessellation.triangles[t].bound);
                 if (distance <= out.largest) continue;

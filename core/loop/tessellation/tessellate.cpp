@@ -99,15 +99,11 @@ class Tessellator {
     std::vector<double> bounds_;
 };
 
-glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
-    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-}
-
 Tessellator::Tessellator(const TriangleMesh& mesh, const SchemeOptions& options)
     : mesh_(mesh), options_(options), exponent_(std::ilogb(mesh.largest_coordinate())), limits_(options) {
     const SchemeLevel control = control_level(mesh, options.boundary);
     std::vector<glm::dvec3> points;
-    for (const glm::dvec3& p : mesh.positions()) points.push_back(scaled(p, -exponent_));
+    for (const glm::dvec3& p : mesh.positions()) points.push_back(times_power_of_two(p, -exponent_));
     std::vector<std::uint8_t> used(points.size(), 0);
     for (Index f = 0; f < mesh.face_count(); ++f) {
         if (no_limit_surface(mesh, options.boundary, f)) continue;
@@ -320,7 +316,7 @@ std::optional<Error> Tessellator::beyond(double tolerance, std::size_t to_split,
 
 Tessellation Tessellator::result() const {
     Tessellation out;
-    for (const glm::dvec3& p : positions_) out.positions.push_back(scaled(p, exponent_));
+    for (const glm::dvec3& p : positions_) out.positions.push_back(times_power_of_two(p, exponent_));
     std::size_t t = 0;
     for (const Leaf& leaf : leaves_) {
         const auto mid = midpoints_of(leaf.corners);
