@@ -101,7 +101,8 @@ export interface ResultSummary {
 /// Header of a chunk of a mesh.
 export interface Case extends ChunkHeader {
     kind: "mesh";
-    /// The comparisons as in docs/report.schema.json, with classes and worst vertices (compare, suite); else empty.
+    /// The comparisons as in docs/report.schema.json, with classes and worst vertices, but for the model and the rules,
+    /// which the `CaseSummary` has: cases that are alike share a chunk (compare, suite); else empty.
     comparisons: ComparisonJson[];
     /// The surfaces as there (limit); else empty.
     surfaces: SurfaceJson[];
@@ -130,7 +131,7 @@ export interface Level {
     triangles: ArrayRef;
     /// i32, one a vertex: index v of the parent's vertex, or -1 - (3f + i) for edge i of its face f; absent at level 0.
     ancestors?: ArrayRef;
-    /// u8 or u16: index into `classes`, `rules`.
+    /// u8, u16 or u32, whichever is enough: index into `classes`, `rules`.
     classes: ArrayRef;
     rules?: ArrayRef;
     /// u32: index into `masks`, and where the vertices of the parent level that it reads begin in `ring` (one more than
@@ -138,7 +139,8 @@ export interface Level {
     masks?: ArrayRef;
     ring_at?: ArrayRef;
     ring?: ArrayRef;
-    /// What subjects made, f64, three a vertex in model units, and the exact positions.
+    /// What subjects made, f64, three a vertex in model units, and the exact positions; u32, the number that the
+    /// subject gives each vertex, absent where it is ours.
     exact?: ArrayRef;
     positions: { subject: string; positions: ArrayRef; order?: ArrayRef }[];
     /// The same of limits: exact normals are zero where there is none.
@@ -147,8 +149,8 @@ export interface Level {
         exact_normals: ArrayRef;
         positions: { subject: string; positions: ArrayRef; normals: ArrayRef }[];
     };
-    /// As `Case.comparisons`: what the referee says of each vertex.
-    comparisons: VertexNumbers[];
+    /// As `Case.comparisons`: what the referee says of each vertex; null where nothing was compared.
+    comparisons: (VertexNumbers | null)[];
     /// As `Case.surfaces`, at level 0 only: what was seen of each face.
     surfaces?: FaceNumbers[];
 }
@@ -240,12 +242,8 @@ export interface LevelJson<Entry, Worst> {
     worst: Worst[];
 }
 export interface ComparisonJson {
-    model: string;
     subject: string;
     reference: string;
-    boundary: string;
-    creasing: string;
-    weights: string;
     verdict: VerdictName;
     notes: string[];
     deviation?: string;
