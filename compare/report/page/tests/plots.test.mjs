@@ -1,39 +1,20 @@
 // What the plots draw is read back from their SVG, in a browser.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
-import { build } from "esbuild";
-import { chromium } from "playwright-core";
 
-const kArguments = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update"];
-const root = fileURLToPath(new URL("..", import.meta.url));
+import { dots_of, open_fixture } from "./fixture.mjs";
 
-/** @type {import("playwright-core").Browser} */
-let browser;
+/** @type {Awaited<ReturnType<typeof open_fixture>>} */
+let fixture;
 /** @type {import("playwright-core").Page} */
 let page;
-/** @type {string[]} */
-const complaints = [];
 
-async function open_fixture() {
-    const options = { bundle: true, write: false, target: "es2022" };
-    const script = await build({ ...options, entryPoints: [`${root}tests/plots_fixture.tsx`], format: "esm",
-        jsx: "automatic", jsxImportSource: "preact" });
-    const style = await build({ ...options, entryPoints: [`${root}src/style.css`] });
-    page = await browser.newPage({ viewport: { width: 900, height: 700 } });
-    page.on("console", (message) => complaints.push(message.text()));
-    page.on("pageerror", (error) => complaints.push(error.message));
-    await page.setContent(`<!doctype html><html lang="en"><title>Plots</title><style>${text_of(style)}</style>
-        <body><main id="page"></main></body></html>`);
-    await page.addScriptTag({ content: text_of(script), type: "module" });
-    await page.waitForSelector("#many svg");
-}
+before(async () => {
+    fixture = await open_fixture("plots_fixture.tsx");
+    page = fixture.page;
+});
 
-/** @param {import("esbuild").BuildResult} result */
-function text_of(result) {
-    return result.outputFiles?.[0]?.text ?? "";
-}
+after(() => fixture.close());
 
 /**
  * Attributes of the elements, as numbers.
@@ -46,26 +27,8 @@ async function attributes(selector, names) {
             names.map((name) => [name, Number(e.getAttribute(name))]))), names);
 }
 
-/**
- * Where the symbols of a plot are, with their titles.
- * @param {string} section
- */
-async function dots(section) {
-    return page.locator(`${section} .dots path`).evaluateAll((paths) => paths.map((path) => {
-        const [x, y] = (path.getAttribute("transform") ?? "").match(/-?[\d.]+/g)?.map(Number) ?? [];
-        return { x: x ?? NaN, y: y ?? NaN, title: path.querySelector("title")?.textContent ?? "" };
-    }));
-}
-
-before(async () => {
-    browser = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-        args: kArguments });
-    await open_fixture();
-});
-
-after(async () => {
-    await browser.close();
-});
+/** @param {string} section */
+const dots = (section) => dots_of(page.locator(section));
 
 test("an error plot has a mark a class and level, higher for larger errors", async () => {
     const marks = await dots("#errors figure:nth-of-type(1)");
@@ -193,5 +156,5 @@ test("tables of numbers open by keyboard", async () => {
 });
 
 test("the console is silent", () => {
-    assert.deepEqual(complaints, []);
+    assert.deepEqual(fixture.complaints, []);
 });
