@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 
-import { dots_of, open_fixture } from "./fixture.mjs";
+import { dots_of, open_fixture } from "./rendered.mjs";
 
 /** @type {Awaited<ReturnType<typeof open_fixture>>} */
 let fixture;

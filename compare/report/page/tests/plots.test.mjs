@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
-import { dots_of, open_fixture } from "./fixture.mjs";
+import { dots_of, open_fixture } from "./rendered.mjs";
 
 /** @type {Awaited<ReturnType<typeof open_fixture>>} */
 let fixture;
