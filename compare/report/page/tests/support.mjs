@@ -1,0 +1,90 @@
+// What tests of the page share.
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { build } from "esbuild";
+import { chromium } from "playwright-core";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const page_folder = fileURLToPath(new URL("..", import.meta.url));
+
+/**
+ * A module of the page as one JavaScript text; with a name, as a script that sets this global.
+ * @param {string} path in the folder of the page
+ * @param {string} [global]
+ */
+export async function bundle(path, global) {
+    const result = await build({
+        entryPoints: [join(page_folder, path)],
+        bundle: true,
+        write: false,
+        target: "es2022",
+        jsx: "automatic",
+        jsxImportSource: "preact",
+        logLevel: "warning",
+        ...(global === undefined ? { format: "esm" } : { format: "iife", globalName: global }),
+    });
+    return result.outputFiles[0]?.text ?? "";
+}
+
+/**
+ * A TypeScript module, to be called from a test.
+ * @param {string} path in the folder of the page
+ */
+export async function import_ts(path) {
+    const folder = await mkdtemp(join(tmpdir(), "loopcheck-page-"));
+    try {
+        const file = join(folder, "module.mjs");
+        await writeFile(file, await bundle(path));
+        return await import(pathToFileURL(file).href);
+    } finally {
+        await rm(folder, { recursive: true });
+    }
+}
+
+/** The browser of CHROMIUM, else Debian's, without a graphics card. */
+export function launch() {
+    return chromium.launch({
+        executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
+        args: ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader",
+            "--disable-background-networking", "--disable-component-update", "--no-first-run"],
+    });
+}
+
+/**
+ * A page from a file: errors and warnings of its console, and requests for anything else, are collected in `complaints`.
+ * @param {import("playwright-core").Browser} browser
+ * @param {string} html
+ * @param {import("playwright-core").BrowserContextOptions} [options]
+ */
+export async function open_page(browser, html, options = {}) {
+    const folder = await mkdtemp(join(tmpdir(), "loopcheck-page-"));
+    const file = join(folder, "page.html");
+    await writeFile(file, html);
+    const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, ...options });
+    const page = await context.newPage();
+    /** @type {string[]} */
+    const complaints = [];
+    page.on("pageerror", (error) => complaints.push(String(error)));
+    page.on("console", (message) => {
+        // Reading pixels back waits for the renderer: that is what a test wants.
+        if (/GPU stall due to ReadPixels/.test(message.text())) return;
+        if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+    });
+    page.on("request", (request) => {
+        if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+    });
+    const url = pathToFileURL(file).href;
+    await page.goto(url);
+    return {
+        page,
+        url,
+        complaints,
+        close: async () => {
+            await context.close();
+            await rm(folder, { recursive: true });
+        },
+    };
+}
