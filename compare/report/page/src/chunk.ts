@@ -29,6 +29,13 @@ export class Chunk<Header extends ChunkHeader> {
         if (!(array instanceof kArrayTypes[type])) throw new Error(`Array ${ref} of the report is no ${type}.`);
         return array as ArrayOf<Type>;
     }
+
+    /// The array of that index, of any unsigned type.
+    indices(ref: ArrayRef): Uint8Array | Uint16Array | Uint32Array {
+        const array = this.arrays[ref];
+        if (array instanceof Uint8Array || array instanceof Uint16Array || array instanceof Uint32Array) return array;
+        throw new Error(`Array ${ref} of the report holds no indices.`);
+    }
 }
 
 /// The chunk in the element with that id. Rejects where it is missing or damaged.

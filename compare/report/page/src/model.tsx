@@ -1,0 +1,264 @@
+// One case: the verdict in words, the surface, its worst vertices, and one vertex in detail.
+import { useEffect, useMemo, useState } from "preact/hooks";
+
+import { type Chunk, read_chunk } from "./chunk";
+import type { Case, CaseSummary, CurveCase, Report, ResultSummary } from "./format";
+import { CurvePage } from "./curve";
+import { face_layers, type Layer, vertex_layers } from "./layers";
+import { MeshLevel, type Points } from "./mesh_level";
+import { counted, grouped, short } from "./numbers";
+import { ConvergencePlot } from "./plots/convergence";
+import { ErrorPlot } from "./plots/error";
+import { Histogram } from "./plots/histogram";
+import { case_link } from "./route";
+import { SurfaceView } from "./surface_view";
+import { WaysPlot, WaysTable } from "./surface";
+import { kVerdicts, Verdict } from "./verdicts";
+import { VertexDetails } from "./vertex";
+import { WorstVertices } from "./worst";
+
+type Loaded = Chunk<Case> | Chunk<CurveCase>;
+
+/// The chunk with that id; null while it is read, or why it cannot be.
+function use_chunk(id: string | undefined): Loaded | Error | null {
+    const [loaded, set_loaded] = useState<{ id: string; chunk: Loaded | Error } | null>(null);
+    useEffect(() => {
+        if (id === undefined) return;
+        let wanted = true;
+        const keep = (chunk: Loaded | Error) => wanted && set_loaded({ id, chunk });
+        read_chunk<Case | CurveCase>(id).then((chunk) => keep(chunk as Loaded), keep);
+        return () => {
+            wanted = false;
+        };
+    }, [id]);
+    return loaded !== null && loaded.id === id ? loaded.chunk : null;
+}
+
+const is_curve = (chunk: Loaded): chunk is Chunk<CurveCase> => chunk.header.kind === "curve";
+
+export function CasePage({ report, case_index, result_index, is_alone }: {
+    report: Report;
+    case_index: number;
+    result_index: number;
+    /// The only one of the report: it stands below the table.
+    is_alone: boolean;
+}) {
+    const summary = report.cases[case_index];
+    const chunk = use_chunk(summary?.chunk);
+    if (summary === undefined) return <p role="alert">The report has no case {case_index}.</p>;
+    const result = summary.results[result_index];
+    return (
+        <section class="case" aria-labelledby="case">
+            {!is_alone && <p><a href="#/">&larr; All results</a></p>}
+            <h2 id="case">{summary.model}</h2>
+            <p class="muted">
+                {rules_of(report, summary)}{counted(summary.vertices, report.command === "curve" ? "point" : "vertex", report.command === "curve" ? "points" : "vertices")}
+                {report.command !== "curve" && `, ${counted(summary.faces, "face")}, ${summary.boundary_edges === 0 ? "closed" : counted(summary.boundary_edges, "boundary edge")}`}
+            </p>
+            <ResultChoice summary={summary} case_index={case_index} result_index={result_index} />
+            {result !== undefined && <Notes result={result} />}
+            {summary.chunk === undefined ? <p>The file has no picture of this case.</p>
+                : chunk === null ? <p role="status">Reading &hellip;</p>
+                : chunk instanceof Error ? <p role="alert">{chunk.message}</p>
+                : is_curve(chunk) ? <CurvePage chunk={chunk} summary={summary} />
+                : <MeshPage key={summary.chunk} report={report} chunk={chunk} result={result} summary={summary} />}
+        </section>
+    );
+}
+
+function rules_of(report: Report, one: CaseSummary): string {
+    if (report.command === "curve") return "";
+    const weights = one.weights === "loop" ? "" : `, weights ${one.weights}`;
+    return `boundary ${one.boundary}, creasing ${one.creasing}${weights}; `;
+}
+
+function ResultChoice({ summary, case_index, result_index }: {
+    summary: CaseSummary;
+    case_index: number;
+    result_index: number;
+}) {
+    return (
+        <nav aria-label="Comparisons of this model">
+            <ul class="choice">
+                {summary.results.map((result, i) => (
+                    <li key={i}>
+                        <a href={case_link(case_index, i)} aria-current={i === result_index ? "page" : undefined}
+                            class={kVerdicts[result.verdict].tone}>
+                            {result.reference} {result.what} <Verdict of={result.verdict} />
+                        </a>
+                    </li>
+                ))}
+            </ul>
+        </nav>
+    );
+}
+
+function Notes({ result }: { result: ResultSummary }) {
+    return (
+        <div class={`notes ${kVerdicts[result.verdict].tone}`}>
+            <p>
+                <Verdict of={result.verdict} />: {result.subject} against {result.reference}, {result.what}
+                {result.largest_in_uM !== null && `; largest difference ${short(result.largest_in_uM)} u M`}
+            </p>
+            {result.notes.length > 0 && <ul>{result.notes.map((note, i) => <li key={i}>{note}</li>)}</ul>}
+        </div>
+    );
+}
+
+function MeshPage({ report, chunk, summary, result }: {
+    report: Report;
+    chunk: Chunk<Case>;
+    summary: CaseSummary;
+    result: ResultSummary | undefined;
+}) {
+    const { header } = chunk;
+    const comparison = header.comparisons.findIndex(
+        (one) => one.subject === result?.subject && one.reference === result.reference,
+    );
+    const way = header.surfaces.findIndex((one) => one.method === result?.what);
+    const [level_index, set_level_index] = useState(header.levels.length - 1);
+    const [points, set_points] = useState<Points>(result?.what === "limits" ? "limit" : "refined");
+    const [selected, set_selected] = useState<number | null>(null);
+    const [layer_id, set_layer_id] = useState<string | null>(null);
+    const [flight, set_flight] = useState<{ vertex: number } | null>(null);
+    useEffect(() => set_points(result?.what === "limits" ? "limit" : "refined"), [result]);
+
+    const level = useMemo(
+        () => (header.levels[level_index] ? new MeshLevel(chunk, header.levels[level_index]) : null),
+        [chunk, level_index],
+    );
+    const shown_points: Points = level?.level.limits ? points : "refined";
+    const layers = useMemo<Layer[]>(() => {
+        if (level === null) return [];
+        return [...face_layers(chunk, level, way), ...vertex_layers(chunk, level, comparison, shown_points)];
+    }, [chunk, level, way, comparison, shown_points]);
+    const layer = layers.find((one) => one.id === layer_id) ?? layers[0];
+    const json = header.comparisons[comparison];
+    const go_to = (vertex: number) => {
+        set_selected(vertex);
+        set_flight({ vertex });
+    };
+    return (
+        <>
+            {level !== null && layer !== undefined && (
+                <div class="bench">
+                    <div class="view">
+                        <LevelControls
+                            chunk={chunk} level={level} level_index={level_index} points={shown_points}
+                            on_level={(index) => {
+                                set_level_index(index);
+                                set_selected(null);
+                            }}
+                            on_points={set_points}
+                        />
+                        <SurfaceView
+                            level={level} json={json} points={shown_points} layers={layers} layer={layer}
+                            on_layer={set_layer_id} selected={selected} flight={flight} on_pick={set_selected}
+                            name={`${summary.model}, level ${level.level.level}`}
+                        />
+                    </div>
+                    <div class="side">
+                        <VertexForm level={level} selected={selected} on_go={go_to} />
+                        {selected === null ? <p class="muted">Click a vertex, type its number, or take one of these:</p> : (
+                            <VertexDetails
+                                chunk={chunk} level={level} comparison={comparison} points={shown_points}
+                                vertex={selected} deviations={report.deviations}
+                            />
+                        )}
+                        <WorstVertices level={level} layers={layers} layer={layer} selected={selected} on_go={go_to} />
+                    </div>
+                </div>
+            )}
+            <LeftOut chunk={chunk} summary={summary} />
+            {header.surfaces.length > 0 && (
+                <>
+                    <WaysTable surfaces={header.surfaces} selected={way} on_select={(i) => {
+                        location.hash = case_link(report.cases.indexOf(summary), i);
+                    }} />
+                    <WaysPlot surfaces={header.surfaces} />
+                </>
+            )}
+            <div class="plots">
+                {json !== undefined && <ErrorPlot comparison={json} />}
+                {level !== null && layer?.kind === "numbers" && (
+                    <Histogram values={Float32Array.from(layer.values)} title={`${layer.label}, level ${level.level.level}`} unit={layer.unit} />
+                )}
+                {header.convergence.length > 0 && <ConvergencePlot points={header.convergence} />}
+            </div>
+        </>
+    );
+}
+
+function LevelControls({ chunk, level, level_index, points, on_level, on_points }: {
+    chunk: Chunk<Case>;
+    level: MeshLevel;
+    level_index: number;
+    points: Points;
+    on_level: (index: number) => void;
+    on_points: (points: Points) => void;
+}) {
+    const { levels } = chunk.header;
+    return (
+        <div class="controls">
+            <label class="level">
+                Level <output>{level.level.level}</output>{" "}
+                <input
+                    type="range" min={0} max={levels.length - 1} value={level_index} disabled={levels.length === 1}
+                    aria-valuetext={`level ${level.level.level}`}
+                    onInput={(event) => on_level(Number(event.currentTarget.value))}
+                />
+            </label>
+            <span class="muted counts">
+                {counted(level.level.vertices, "vertex", "vertices")}, {counted(level.triangles.length / 3, "face")}
+            </span>
+            {level.level.limits && (
+                <fieldset class="inline">
+                    <legend>Points</legend>
+                    {(["refined", "limit"] as const).map((one) => (
+                        <label key={one}>
+                            <input type="radio" name="points" checked={points === one} onChange={() => on_points(one)} /> {one}
+                        </label>
+                    ))}
+                </fieldset>
+            )}
+        </div>
+    );
+}
+
+function VertexForm({ level, selected, on_go }: {
+    level: MeshLevel;
+    selected: number | null;
+    on_go: (vertex: number) => void;
+}) {
+    const [text, set_text] = useState("");
+    useEffect(() => set_text(selected === null ? "" : String(selected)), [selected]);
+    const vertex = /^\d+$/.test(text) ? Number(text) : NaN;
+    const exists = vertex < level.level.vertices;
+    return (
+        <form class="go" onSubmit={(event) => {
+            event.preventDefault();
+            if (exists) on_go(vertex);
+        }}>
+            <h3><label for="vertex">Vertex</label></h3>
+            <input
+                id="vertex" inputMode="numeric" autocomplete="off" value={text} aria-invalid={text !== "" && !exists}
+                aria-describedby="vertices" onInput={(event) => set_text(event.currentTarget.value)}
+            />
+            <span id="vertices" class="muted">of level {level.level.level}: 0 to {grouped(level.level.vertices - 1)}</span>
+            <button type="submit" disabled={!exists}>Go</button>
+        </form>
+    );
+}
+
+function LeftOut({ chunk, summary }: { chunk: Chunk<Case>; summary: CaseSummary }) {
+    const { left_out, levels } = chunk.header;
+    if (left_out.length === 0) return null;
+    const list = left_out.map((one) => `${one.level} (${counted(one.vertices, "vertex", "vertices")})`).join(", ");
+    return (
+        <p class="muted left-out">
+            {levels.length === 0 ? "No level is" : `Level${left_out.length > 1 ? "s" : ""} ${list} ${left_out.length > 1 ? "are" : "is"} not`}
+            {levels.length === 0 ? " in this file: all are" : " in this file, being"} too large for it, but all were compared.
+            {" "}<code>--html-vertices</code> sets how many vertices of a level of {summary.model} are shown.
+        </p>
+    );
+}

@@ -1,0 +1,159 @@
+// The surface of one level in three dimensions, with what it is coloured by and how it is drawn.
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+
+import { ClassScale, ErrorScale, Legend } from "./colours";
+import type { ComparisonJson } from "./format";
+import type { Layer } from "./layers";
+import type { MeshLevel, Points } from "./mesh_level";
+import { short } from "./numbers";
+import { type Colours, type Mode, Viewer } from "./viewer/viewer";
+
+const kModes: { mode: Mode; label: string }[] = [
+    { mode: "subject", label: "ours" },
+    { mode: "reference", label: "the other" },
+    { mode: "overlay", label: "overlay" },
+    { mode: "side-by-side", label: "side by side" },
+];
+
+/// Steps of the slider, from the true difference to one of a tenth of the model.
+const kExaggerations = 100;
+const kMostOfDiagonal = 0.1;
+
+/// How the surface is drawn; it stays when the level changes.
+interface Drawing {
+    mode: Mode;
+    filled: boolean;
+    wireframe: boolean;
+    shading: boolean;
+    /// From 0, the truth, to kExaggerations.
+    exaggeration: number;
+}
+
+/// What a scale gives each element, as bytes.
+function colours_of(layer: Layer, scale: ErrorScale | ClassScale): Colours {
+    const rgb = new Uint8Array(3 * layer.values.length);
+    for (let i = 0; i < layer.values.length; ++i) rgb.set(scale.colour_of(layer.values[i]!), 3 * i);
+    return { per: layer.per, rgb };
+}
+
+function largest_finite(values: Float64Array | null): number {
+    let out = 0;
+    for (const value of values ?? []) if (value > out && value < Infinity) out = value;
+    return out;
+}
+
+export function SurfaceView({ level, json, points, layers, layer, on_layer, selected, flight, on_pick, name }: {
+    level: MeshLevel;
+    json: ComparisonJson | undefined;
+    points: Points;
+    layers: Layer[];
+    layer: Layer;
+    on_layer: (id: string) => void;
+    selected: number | null;
+    /// A vertex to fly to; a new object is a new flight.
+    flight: { vertex: number } | null;
+    on_pick: (vertex: number) => void;
+    name: string;
+}) {
+    const host = useRef<HTMLDivElement>(null);
+    const viewer = useRef<Viewer | null>(null);
+    const [trouble, set_trouble] = useState<string | null>(null);
+    const [drawing, set_drawing] = useState<Drawing>({
+        mode: "subject", filled: true, wireframe: false, shading: true, exaggeration: 0,
+    });
+    const set = (part: Partial<Drawing>) => set_drawing({ ...drawing, ...part });
+
+    const subject = json?.subject ?? "ours";
+    const triangles = level.triangles;
+    const ours = level.positions(subject, points) ?? level.positions("ours", points);
+    const theirs = json ? level.positions(json.reference, points) : null;
+    const surface = useMemo(() => ours && { positions: ours, triangles }, [ours, triangles]);
+    const other = useMemo(() => theirs && { positions: theirs, triangles }, [theirs, triangles]);
+    const scale = useMemo(
+        () => (layer.kind === "numbers" ? ErrorScale.of(layer.values) : new ClassScale(layer.names)),
+        [layer],
+    );
+    const colours = useMemo(() => colours_of(layer, scale), [layer, scale]);
+    const difference = useMemo(
+        () => largest_finite(json ? level.difference(json, points) : null), [level, json, points],
+    );
+    const most = json && difference > 0 ? Math.max(1, (kMostOfDiagonal * json.diagonal) / difference) : 1;
+    const factor = most ** (drawing.exaggeration / kExaggerations);
+
+    useEffect(() => {
+        try {
+            viewer.current = new Viewer(host.current!);
+        } catch (error) {
+            set_trouble(error instanceof Error ? error.message : String(error));
+        }
+        return () => viewer.current?.dispose();
+    }, []);
+    useEffect(() => {
+        if (viewer.current === null) return;
+        viewer.current.on_pick = on_pick;
+    }, [on_pick]);
+    useEffect(() => {
+        if (surface === null) return;
+        const mode = other === null ? "subject" : drawing.mode;
+        viewer.current?.show({ ...drawing, subject: surface, reference: other, colours, mode, exaggeration: factor, selected });
+    }, [surface, other, colours, drawing, factor, selected]);
+    useEffect(() => {
+        if (flight !== null) viewer.current?.fly_to(flight.vertex);
+    }, [flight]);
+
+    return (
+        <>
+            <div class="controls">
+                <label>
+                    Colour by{" "}
+                    <select value={layer.id} onChange={(event) => on_layer(event.currentTarget.value)}>
+                        {layers.map((one) => <option key={one.id} value={one.id}>{one.label}</option>)}
+                    </select>
+                </label>
+                {other !== null && (
+                    <fieldset class="inline">
+                        <legend>Show</legend>
+                        {kModes.map(({ mode, label }) => (
+                            <label key={mode}>
+                                <input type="radio" name="mode" checked={drawing.mode === mode} onChange={() => set({ mode })} /> {label}
+                            </label>
+                        ))}
+                    </fieldset>
+                )}
+                <Toggle label="surface" on={drawing.filled} set={(filled) => set({ filled })} />
+                <Toggle label="wireframe" on={drawing.wireframe} set={(wireframe) => set({ wireframe })} />
+                <Toggle label="shading" on={drawing.shading} set={(shading) => set({ shading })} />
+                <button type="button" onClick={() => viewer.current?.reset()}>Whole model</button>
+            </div>
+            <div class="canvas" ref={host} role="group" aria-label={`${name}: drag or use the arrow keys to turn, + and - to zoom, 0 for the whole model`}>
+                {trouble !== null && <p role="alert">{trouble} The numbers beside and below need no picture.</p>}
+                {other !== null && drawing.mode === "side-by-side" && (
+                    <>
+                        <span class="side-name" style={{ left: "6px" }}>{subject}</span>
+                        <span class="side-name" style={{ left: "calc(50% + 6px)" }}>{json?.reference}</span>
+                    </>
+                )}
+            </div>
+            <Legend scale={scale} title={layer.label} unit={layer.kind === "numbers" ? layer.unit : ""} />
+            {other !== null && (
+                <label class="exaggeration">
+                    Exaggerate the difference{" "}
+                    <input
+                        type="range" min={0} max={kExaggerations} value={drawing.exaggeration} disabled={most === 1}
+                        aria-valuetext={`${short(factor)} times`}
+                        onInput={(event) => set({ exaggeration: Number(event.currentTarget.value) })}
+                    />{" "}
+                    <output>{difference === 0 ? "there is none: the positions are equal" : `${short(factor)} times`}</output>
+                </label>
+            )}
+        </>
+    );
+}
+
+function Toggle({ label, on, set }: { label: string; on: boolean; set: (on: boolean) => void }) {
+    return (
+        <label>
+            <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} /> {label}
+        </label>
+    );
+}

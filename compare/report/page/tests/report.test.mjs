@@ -1,0 +1,269 @@
+// Reports that loopcheck wrote, opened in a browser, and their numbers read back against its JSON.
+//
+// LOOPCHECK   the program; LOOPCHECK_MODELS   the folder of models
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+
+import { chunk, report_file } from "./fixture.mjs";
+import { bundled_page, launch } from "./support.mjs";
+
+const program = process.env["LOOPCHECK"] ?? "";
+const models = process.env["LOOPCHECK_MODELS"] ?? "";
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const folder = mkdtempSync(join(tmpdir(), "loopcheck-page-"));
+
+/** @type {import("playwright-core").Browser} */
+let browser;
+before(async () => {
+    browser = await launch();
+});
+after(async () => {
+    await browser.close();
+    rmSync(folder, { recursive: true });
+});
+
+/**
+ * Runs loopcheck with a report beside, whatever the verdict.
+ * @param {string} name of the files
+ * @param {string[]} command
+ */
+function report(name, command) {
+    const html = join(folder, `${name}.html`);
+    const json = join(folder, `${name}.json`);
+    try {
+        execFileSync(program, [...command, "--html", html, "--json", json], { stdio: "pipe" });
+    } catch (error) {
+        const status = /** @type {{ status?: number }} */ (error).status;
+        assert.equal(status, 1, `loopcheck ${command.join(" ")}: ${error}`);
+    }
+    return { html, json: JSON.parse(readFileSync(json, "utf8")) };
+}
+
+/** @param {string} model */
+const model = (model) => join(models, model);
+
+/**
+ * Opens a file; every message of the console, every error and every request but for the file itself is a complaint.
+ * @param {string} html
+ * @param {{ colorScheme?: "light" | "dark", width?: number, height?: number, reducedMotion?: "reduce" }} options
+ */
+async function open(html, { colorScheme = "light", width = 1400, height = 1000, reducedMotion = "reduce" } = {}) {
+    const page = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion });
+    /** @type {string[]} */
+    const complaints = [];
+    page.on("console", (message) => complaints.push(message.text()));
+    page.on("pageerror", (error) => complaints.push(error.message));
+    page.on("dialog", (dialog) => complaints.push(dialog.message()));
+    page.on("request", (request) => {
+        if (!/^(file|data|blob):/.test(request.url())) complaints.push(request.url());
+    });
+    await page.goto(`file://${html}`);
+    await page.locator("h1, [role=alert]").first().waitFor();
+    return { page, complaints };
+}
+
+/** @param {import("playwright-core").Page} page */
+async function accessibility(page) {
+    await page.evaluate(axe);
+    const result = await page.evaluate("axe.run()");
+    return /** @type {{ violations: { id: string, nodes: { html: string }[] }[] }} */ (result).violations.map(
+        (one) => `${one.id}: ${one.nodes.map((node) => node.html).slice(0, 3).join("; ")}`);
+}
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @param {number} vertex
+ */
+async function select(page, vertex) {
+    await page.getByLabel("Vertex", { exact: true }).fill(String(vertex));
+    await page.getByRole("button", { name: "Go" }).click();
+    await page.locator(`[data-vertex="${vertex}"]`).waitFor();
+}
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @param {number} level
+ */
+async function set_level(page, level) {
+    await page.getByRole("slider", { name: /Level/ }).fill(String(level));
+    await page.locator(".level output", { hasText: String(level) }).waitFor();
+}
+
+test("worst vertices of every level read as in the JSON", async () => {
+    for (const [name, file, ...more] of [
+        ["cow", "cow.obj"], ["warren", "icosahedron.obj", "--weights", "warren"], ["creased", "cow-creased.obj"],
+    ]) {
+        const command = ["compare", model(file ?? ""), "--levels", "3", "--top", "3", ...more];
+        const { html, json } = report(name ?? "", command);
+        const { page, complaints } = await open(html);
+        const [comparison] = json.comparisons;
+        for (const level of comparison.levels) {
+            await set_level(page, level.level);
+            for (const worst of level.worst) {
+                await select(page, worst.vertex);
+                const cells = page.locator(".positions");
+                for (const [who, key] of [[comparison.subject, "subject"], [comparison.reference, "reference"],
+                    ["exact", "exact"]])
+                    assert.deepEqual(await cells.locator(`tr[data-who="${who}"] code`).allTextContents(),
+                        worst[key].hex, `${name} level ${level.level} vertex ${worst.vertex} ${who}`);
+                assert.equal(await page.locator("[data-field=class]").textContent(), worst.class);
+                if (level.level > 0) assert.equal(await page.locator("[data-field=rule]").textContent(), worst.rule);
+                assert.equal(Number(await page.locator("[data-field=error]").getAttribute("data-value")), worst.error);
+            }
+        }
+        assert.deepEqual(complaints, []);
+        await page.close();
+    }
+});
+
+test("the slider shows each level with its counts, also by keyboard", async () => {
+    const { html, json } = report("levels", ["compare", model("torus.obj"), "--levels", "3"]);
+    const { page, complaints } = await open(html);
+    const slider = page.getByRole("slider", { name: /Level/ });
+    await slider.focus();
+    await page.keyboard.press("Home");
+    for (const level of json.comparisons[0].levels) {
+        const text = await page.locator(".counts").textContent();
+        const digits = (text ?? "").replace(/[^\d,]/g, "").split(",").map(Number);
+        assert.deepEqual(digits, [level.all.vertices ?? level.classes.reduce(
+            (/** @type {number} */ sum, /** @type {{ vertices: number }} */ one) => sum + one.vertices, 0), level.faces]);
+        await page.keyboard.press("ArrowRight");
+    }
+    assert.deepEqual(complaints, []);
+    await page.close();
+});
+
+test("a click on the surface selects the vertex under it", async () => {
+    const { html } = report("click", ["compare", model("icosahedron.obj"), "--levels", "1"]);
+    const { page, complaints } = await open(html);
+    await page.getByRole("slider", { name: /Level/ }).fill("0");
+    for (const vertex of [3, 7]) {
+        await select(page, vertex);  // flies there: it is in the middle
+        const box = await page.locator(".canvas").boundingBox();
+        assert.ok(box);
+        await select(page, vertex === 3 ? 4 : 8);
+        await select(page, vertex);
+        // A little beside the middle, still nearest to it.
+        await page.mouse.click(box.x + box.width / 2 + 12, box.y + box.height / 2 + 9);
+        await page.locator(`[data-vertex="${vertex}"]`).waitFor();
+    }
+    assert.deepEqual(complaints, []);
+    await page.close();
+});
+
+test("masks are fractions that sum to 1", async () => {
+    const { html } = report("mask", ["compare", model("icosahedron.obj"), "--levels", "1"]);
+    const { page } = await open(html);
+    await select(page, 2);
+    const weights = await page.locator("[data-field=weight]").allTextContents();
+    assert.equal(weights.length, 6);
+    const sum = weights.reduce((sum, text) => {
+        const [p, q = "1"] = text.split("/");
+        return sum + Number(p) / Number(q);
+    }, 0);
+    assert.ok(Math.abs(sum - 1) < 6 * Number.EPSILON, `${weights} sum to ${sum}`);
+    await page.close();
+});
+
+test("every cell of the table leads to its case, with the verdict of the JSON", async () => {
+    const files = ["tetrahedron.obj", "boundary-corner-4-faces.obj", "cow-creased.obj"].map(model);
+    const { html, json } = report("suite", ["suite", ...files, "--levels", "2"]);
+    const { page, complaints } = await open(html);
+    assert.match(await page.locator("h1").innerText(), new RegExp(json.summary.slice(0, 40)));
+    /** @type {Map<string, number>} */
+    const counts = new Map();
+    for (const one of json.comparisons)
+        for (const verdict of [one.verdict, one.limits?.verdict])
+            if (verdict) counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
+    const labels = await page.locator(".results td a").evaluateAll(
+        (links) => links.map((link) => link.getAttribute("aria-label") ?? ""));
+    for (const [verdict, count] of counts)
+        assert.equal(labels.filter((label) => label.includes(`: ${verdict}`)).length, count, verdict);
+    const links = await page.locator(".results td a").evaluateAll(
+        (links) => links.map((link) => [link.getAttribute("href") ?? "", link.getAttribute("aria-label") ?? ""]));
+    for (const [href, label] of links.filter((_, i) => i % 7 === 0)) {
+        await page.goto(`file://${html}${href}`);
+        await page.locator("#case", { hasText: (label ?? "").split(",")[0] ?? "" }).waitFor();
+        assert.ok((label ?? "").includes(await page.locator(".notes .verdict").innerText().then(
+            (text) => text.replace(/^\S+\s/, ""))), label);
+    }
+    assert.deepEqual(complaints, []);
+    await page.close();
+});
+
+test("the table puts failures first, filters, sorts, and is walked by arrow keys", async () => {
+    const result = (/** @type {string} */ verdict) => ({
+        subject: "ours", reference: "peer", what: "refinement", verdict, deviations: [], largest: 1, largest_in_uM: 2,
+        notes: [],
+    });
+    const one = (/** @type {string} */ name, /** @type {string} */ verdict) => ({
+        model: name, boundary: "none", creasing: "uniform", weights: "loop", vertices: 4, faces: 4, boundary_edges: 0,
+        results: [result(verdict)],
+    });
+    const header = {
+        version: "0", command: "suite", exit_code: 1, sentence: "differs", levels: 1, subjects: [], deviations: [],
+        unreadable: [], cases: [one("a", "identical"), one("b", "known deviation"), one("c", "differs"), one("d", "failed")],
+    };
+    const html = join(folder, "fixture.html");
+    writeFileSync(html, report_file(await bundled_page(), { report: chunk(header) }));
+    const { page, complaints } = await open(html);
+    const names = () => page.locator(".results tbody th a").allTextContents();
+    assert.deepEqual(await names(), ["d", "c", "b", "a"]);
+    await page.getByRole("button", { name: "model" }).click();
+    assert.deepEqual(await names(), ["a", "b", "c", "d"]);
+    assert.equal(await page.locator("th", { hasText: "model" }).first().getAttribute("aria-sort"), "ascending");
+    await page.getByLabel("differs").check();
+    assert.deepEqual(await names(), ["c"]);
+    await page.getByLabel("differs").uncheck();
+    await page.getByLabel("Model").fill("B");
+    assert.deepEqual(await names(), ["b"]);
+    await page.getByLabel("Model").fill("");
+    await page.locator(".results tbody a[tabindex='0']").focus();
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("href")), "#/case/1/0");
+    assert.deepEqual(complaints, []);
+    await page.close();
+});
+
+test("no accessibility rule is broken, in light and dark, wide and narrow", async () => {
+    const cow = report("axe-cow", ["compare", model("cow-creased.obj"), "--levels", "2", "--limit"]).html;
+    const suite = report("axe-suite", ["suite", model("tetrahedron.obj"), model("crease-straight.obj"), "--levels", "1"]).html;
+    const limit = report("axe-limit", ["limit", model("icosahedron.obj")]).html;
+    const curve = report("axe-curve", ["curve", model("curves/ring.txt"), "--closed", "--levels", "3"]).html;
+    for (const html of [cow, suite, `${suite}#/case/0/0`, limit, curve])
+        for (const colorScheme of /** @type {const} */ (["light", "dark"]))
+            for (const width of [1400, 420]) {
+                const { page, complaints } = await open(html, { colorScheme, width });
+                if (html !== suite) await page.locator(".case .plots, .case svg").first().waitFor();
+                assert.deepEqual(await accessibility(page), [], `${html} ${colorScheme} ${width}`);
+                assert.deepEqual(complaints, []);
+                await page.close();
+            }
+});
+
+test("names from outside are text", async () => {
+    // The path holds a closing tag.
+    const path = join(folder, "<img src=x onerror=alert(1)><script>alert(2)<", "script>.obj");
+    mkdirSync(dirname(path));
+    copyFileSync(model("tetrahedron.obj"), path);
+    const { html } = report("hostile", ["compare", path, "--levels", "1"]);
+    const { page, complaints } = await open(html);
+    assert.equal(await page.locator("#case").innerText(), path);
+    assert.equal(await page.locator("img").count(), 0);
+    assert.deepEqual(complaints, []);
+    await page.close();
+});
+
+test("a damaged report says so", async () => {
+    const html = join(folder, "damaged.html");
+    writeFileSync(html, report_file(await bundled_page(), { report: chunk({}).slice(0, 40) }));
+    const { page } = await open(html);
+    assert.match(await page.locator("[role=alert]").innerText(), /cannot be shown/);
+    await page.close();
+});
