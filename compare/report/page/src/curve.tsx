@@ -4,10 +4,11 @@ import { useMemo } from "preact/hooks";
 import type { Chunk } from "./chunk";
 import { CurveDrawing } from "./curve_drawing";
 import type { CaseSummary, CurveCase, CurveJson, ResultSummary } from "./format";
+import { counted, short } from "./numbers";
 import { NumberTable } from "./plots/figure";
 import type { Cell } from "./plots/figure";
 import { Magnitudes } from "./plots/magnitudes";
-import { counted, number_text } from "./plots/numbers";
+import { kVerdicts, Verdict } from "./verdicts";
 
 interface CurvePageProps {
     chunk: Chunk<CurveCase>;
@@ -15,39 +16,36 @@ interface CurvePageProps {
 }
 
 export function CurvePage({ chunk, summary }: CurvePageProps) {
-    const { curve, file, degree, ends, dimension, left_out } = chunk.header;
+    const { curve, degree, ends, dimension, left_out } = chunk.header;
     const points = curve.levels[0]?.points ?? 0;
     return (
-        <article class="curve">
-            <h2>{file}</h2>
+        <>
             <p>
-                {`${counted(points, "control point", "control points")} in `}
+                {`${counted(points, "control point")} in `}
                 {`${dimension === 2 ? "the plane" : "space"}, degree ${degree}, ${ends} ends. Verdict: `}
-                <strong class="verdict" data-verdict={curve.verdict}>{curve.verdict}</strong>.
+                <Verdict of={curve.verdict} />.
             </p>
-            <Notes notes={curve.notes} />
+            <Notes notes={curve.notes} tone={kVerdicts[curve.verdict].tone} />
             <CurveDrawing chunk={chunk} />
             {left_out.map((l) => (
                 <p key={l.level}>
-                    {`Level ${l.level} (${counted(l.points, "point", "points")}) was checked and is too large for `}
+                    {`Level ${l.level} (${counted(l.points, "point")}) was checked and is too large for `}
                     this file.
                 </p>
             ))}
             <DistancePlot chunk={chunk} />
             <RoundingPlot curve={curve} />
             <Carried results={summary.results} />
-        </article>
+        </>
     );
 }
 
-function Notes({ notes }: { notes: string[] }) {
+function Notes({ notes, tone }: { notes: string[]; tone: string }) {
     if (notes.length === 0) return null;
     return (
-        <ul class="notes">
-            {notes.map((note, i) => (
-                <li key={i}>{note}</li>
-            ))}
-        </ul>
+        <div class={`notes ${tone}`}>
+            <ul>{notes.map((note, i) => <li key={i}>{note}</li>)}</ul>
+        </div>
     );
 }
 
@@ -96,7 +94,7 @@ function distance_reading({ levels }: CurveJson, beyond: boolean): string {
     const first = levels[0];
     const last = levels.at(-1);
     if (!first || !last) return "No level was compared.";
-    const of_level = (l: typeof first) => `${number_text(l.distance)} at level ${l.level}`;
+    const of_level = (l: typeof first) => `${short(l.distance)} at level ${l.level}`;
     const distances = `From ${of_level(first)} to ${of_level(last)}`;
     if (beyond) return `${distances}; there are levels beyond the proven bound.`;
     return levels.some((l) => l.allowed != null)
@@ -125,8 +123,8 @@ function RoundingPlot({ curve }: { curve: CurveJson }) {
                 rows: curve.levels.map((l) => [
                     String(l.level),
                     String(l.points),
-                    number_text(l.error),
-                    number_text(l.bound_use),
+                    short(l.error),
+                    short(l.bound_use),
                 ]),
             },
         }),
@@ -149,8 +147,8 @@ function rounding_reading({ levels }: CurveJson): string {
     if (use === 0) return "No rounding error at all.";
     if (use === Infinity) return "There are points whose error is not finite.";
     return use <= 1
-        ? `At most ${number_text(100 * use)} % of the proven bound is used.`
-        : `The error is ${number_text(use)} times its proven bound.`;
+        ? `At most ${short(100 * use)} % of the proven bound is used.`
+        : `The error is ${short(use)} times its proven bound.`;
 }
 
 /// Subjects that refined a mesh which carries the curve.
@@ -159,14 +157,13 @@ function Carried({ results }: { results: ResultSummary[] }) {
     const rows = results.map((r): Cell[] => [
         r.subject,
         { text: r.what, style: "name" },
-        r.largest_in_uM === null ? "" : number_text(r.largest_in_uM),
+        r.largest_in_uM === null ? "" : short(r.largest_in_uM),
         { text: r.verdict, style: r.verdict === "differs" || r.verdict === "failed" ? "beyond" : "name" },
     ]);
     return (
         <section>
             <h3>The same curve in a mesh</h3>
             <NumberTable head={["subject", "where the curve is", "largest difference, u M", "verdict"]} rows={rows} />
-            <Notes notes={results.flatMap((r) => r.notes.map((note) => `${r.subject}, ${r.what}: ${note}`))} />
         </section>
     );
 }

@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Chunk } from "./chunk";
 import type { CurveCase } from "./format";
-import { number_text } from "./plots/numbers";
+import { short } from "./numbers";
 import { series_style } from "./plots/theme";
 
 /// The page, in its own units, which scale with it.
@@ -189,8 +189,8 @@ export function CurveDrawing({ chunk }: { chunk: Chunk<CurveCase> }) {
     const label = `${names.join(", ")}: coordinates ${geometry.axes}`;
     return (
         <div>
-            <div class="curve-controls">
-                <fieldset>
+            <div class="controls">
+                <fieldset class="inline">
                     <legend>Shown</legend>
                     {parts.map((part) => (
                         <label key={part}>
@@ -214,10 +214,10 @@ export function CurveDrawing({ chunk }: { chunk: Chunk<CurveCase> }) {
                         max={kMostExaggeration}
                         step={0.1}
                         value={decades}
-                        aria-valuetext={`${number_text(factor)} times`}
+                        aria-valuetext={`${short(factor)} times`}
                         onInput={(event) => set_decades(event.currentTarget.valueAsNumber)}
                     />
-                    <output>{`× ${number_text(factor)}`}</output>
+                    <output class="factor">{`× ${short(factor)}`}</output>
                 </label>
             </div>
             <Pane set_view={set_view} fit={fit} label={label}>
@@ -281,7 +281,7 @@ function ScaleBar({ per_unit }: { per_unit: number }) {
     return (
         <g class="scale-bar" transform={`translate(14 ${kHeight - 14})`}>
             <path d={`M0 -5V0H${width}V-5`} stroke="var(--ink)" stroke-width="1.2" />
-            <text x={width + 8} y={0}>{`${number_text(length)} in model units`}</text>
+            <text x={width + 8} y={0}>{`${short(length)} in model units`}</text>
         </g>
     );
 }
@@ -361,7 +361,7 @@ function Pane({ set_view, fit, label, children }: PaneProps) {
                     {children}
                 </svg>
             </div>
-            <div class="curve-controls">
+            <div class="controls">
                 <button type="button" onClick={() => set_view((view) => zoomed(view, kZoomStep ** 2, kMiddle))}>
                     Zoom in
                 </button>
@@ -369,7 +369,7 @@ function Pane({ set_view, fit, label, children }: PaneProps) {
                     Zoom out
                 </button>
                 <button type="button" onClick={fit}>Show all</button>
-                <span class="curve-hint">
+                <span class="muted">
                     Drag to move, pinch to zoom; once clicked, also by wheel, arrow keys, + and -.
                 </span>
             </div>

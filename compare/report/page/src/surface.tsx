@@ -1,9 +1,10 @@
 // What a limit page shows beside its model: how far each way of evaluating the surface is off, a face class at a time.
 import { useMemo, useState } from "preact/hooks";
 
-import type { SurfaceJson, VerdictName } from "./format";
+import type { SurfaceJson } from "./format";
+import { counted, short } from "./numbers";
 import { Magnitudes } from "./plots/magnitudes";
-import { counted, number_text } from "./plots/numbers";
+import { kVerdicts, Verdict } from "./verdicts";
 
 type FaceClass = SurfaceJson["classes"][number];
 
@@ -30,13 +31,13 @@ const kColumns: Column[] = [
         name: "position error",
         what: "Largest coordinate of the difference, model units.",
         key: (c) => magnitude(c.position),
-        text: (c) => number_text(c.position),
+        text: (c) => short(c.position),
     },
     {
         name: "bound",
         what: "Largest predicted bound of it, model units.",
         key: (c) => magnitude(c.predicted),
-        text: (c) => (c.predicted === 0 ? "rounding" : number_text(c.predicted)),
+        text: (c) => (c.predicted === 0 ? "rounding" : short(c.predicted)),
     },
     {
         name: "bound used",
@@ -56,19 +57,19 @@ const kColumns: Column[] = [
         name: "normal, degrees",
         what: "Largest angle between the normals.",
         key: (c) => magnitude(c.normal_degrees),
-        text: (c) => number_text(c.normal_degrees),
+        text: (c) => short(c.normal_degrees),
     },
     {
         name: "first",
         what: "First derivatives, relative.",
         key: (c) => magnitude(c.first),
-        text: (c) => number_text(c.first),
+        text: (c) => short(c.first),
     },
     {
         name: "second",
         what: "Second derivatives, relative.",
         key: (c) => magnitude(c.second),
-        text: (c) => number_text(c.second),
+        text: (c) => short(c.second),
     },
     {
         name: "rate",
@@ -88,15 +89,6 @@ interface Order {
     column: number;
     descending: boolean;
 }
-
-const kBad: Record<VerdictName, number> = {
-    failed: 0,
-    differs: 1,
-    "known deviation": 2,
-    "within rounding": 3,
-    identical: 4,
-    "not supported": 5,
-};
 
 interface WaysTableProps {
     surfaces: SurfaceJson[];
@@ -129,7 +121,7 @@ export function WaysTable({ surfaces, selected, on_select }: WaysTableProps) {
 }
 
 function badness(surface: SurfaceJson): number {
-    return kBad[surface.verdict];
+    return kVerdicts[surface.verdict].rank;
 }
 
 function next_order(order: Order | undefined, column: number): Order | undefined {
@@ -151,7 +143,7 @@ function Way({ surface, selected, on_select, order, on_sort }: WayProps) {
         <section class={selected ? "way selected" : "way"} aria-label={surface.method}>
             <h3>{surface.method}</h3>
             <p>
-                <strong class="verdict" data-verdict={surface.verdict}>{surface.verdict}</strong>
+                <Verdict of={surface.verdict} />
                 {`, smooth level ${surface.smooth_level}, sharp level ${surface.sharp_level}`}
                 {surface.without_surface > 0 &&
                     `; ${counted(surface.without_surface, "face has", "faces have")} no surface`}
@@ -163,11 +155,9 @@ function Way({ surface, selected, on_select, order, on_sort }: WayProps) {
                 )}
             </p>
             {surface.notes.length > 0 && (
-                <ul class="notes">
-                    {surface.notes.map((note, i) => (
-                        <li key={i}>{note}</li>
-                    ))}
-                </ul>
+                <div class={`notes ${kVerdicts[surface.verdict].tone}`}>
+                    <ul>{surface.notes.map((note, i) => <li key={i}>{note}</li>)}</ul>
+                </div>
             )}
             {classes.length > 0 && (
                 <div class="numbers" tabIndex={0} role="group" aria-label={`Face classes by ${surface.method}`}>
@@ -177,9 +167,8 @@ function Way({ surface, selected, on_select, order, on_sort }: WayProps) {
                                 {kColumns.map((column, i) => (
                                     <th key={i} scope="col" class={i === 0 ? "name" : undefined}
                                         aria-sort={sort_of(order, i)}>
-                                        <button type="button" title={column.what} onClick={() => on_sort(i)}>
+                                        <button type="button" class="sort" title={column.what} onClick={() => on_sort(i)}>
                                             {column.name}
-                                            <span class="arrow" aria-hidden="true">{arrow_of(order, i)}</span>
                                         </button>
                                     </th>
                                 ))}
@@ -205,11 +194,6 @@ function cell_of(column: Column, c: FaceClass, i: number) {
 function sort_of(order: Order | undefined, column: number): "ascending" | "descending" | "none" {
     if (order?.column !== column) return "none";
     return order.descending ? "descending" : "ascending";
-}
-
-function arrow_of(order: Order | undefined, column: number): string {
-    if (order?.column !== column) return "";
-    return order.descending ? "▼" : "▲";
 }
 
 /// Without an order: those with samples beyond a bound first, else as they came.
@@ -262,7 +246,7 @@ export function WaysPlot({ surfaces }: { surfaces: SurfaceJson[] }) {
 function reading_of(surfaces: SurfaceJson[]): string {
     const all = surfaces.flatMap((s) => s.classes.map((c) => ({ method: s.method, c })));
     const worst = all.reduce((most, one) => (magnitude(one.c.position) > magnitude(most.c.position) ? one : most));
-    const size = worst.c.position === null ? "Not finite" : `At most ${number_text(worst.c.position)} model units`;
+    const size = worst.c.position === null ? "Not finite" : `At most ${short(worst.c.position)} model units`;
     const beyond = all.reduce((sum, { c }) => sum + c.beyond_bound, 0);
     return `${size} (${worst.c.class}, ${worst.method}); ${
         beyond === 0 ? "no sample is beyond its bound" : `${counted(beyond, "sample is", "samples are")} beyond a bound`

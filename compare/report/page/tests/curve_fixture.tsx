@@ -86,6 +86,7 @@ function curve_of(file: string, scale: number, verdict: VerdictName) {
 
 render(
     <>
+        <h2>Curves</h2>
         <section id="curve">{curve_of("<script>.txt", 1, "within rounding")}</section>
         <section id="huge">{curve_of("huge.txt", 1e300, "differs")}</section>
         <section id="one-place">{curve_of("one-place.txt", 0, "identical")}</section>

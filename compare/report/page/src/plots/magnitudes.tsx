@@ -4,7 +4,7 @@ import { useMemo } from "preact/hooks";
 
 import { Figure, PlotCanvas } from "./figure";
 import type { Cell, Numbers } from "./figure";
-import { number_text, power_text } from "./numbers";
+import { power, short } from "../numbers";
 import { has_logarithm, place, places_of } from "./places";
 import type { Places } from "./places";
 import { kMostCategories, kMostSeries, series_style } from "./theme";
@@ -122,12 +122,12 @@ function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.P
             if (category === undefined) continue;
             const x = category + offset(i);
             const name = props.categories[m.category]!;
-            const bound = m.bound === undefined ? "" : `, bound ${number_text(m.bound)}`;
+            const bound = m.bound === undefined ? "" : `, bound ${short(m.bound)}`;
             marks.push({
                 series: s.name,
                 x,
                 y: place(places, m.value),
-                title: `${s.name}, ${props.category_label} ${name}: ${number_text(m.value)}${bound}`,
+                title: `${s.name}, ${props.category_label} ${name}: ${short(m.value)}${bound}`,
                 beyond: m.beyond === true,
                 finite: has_logarithm(m.value),
             });
@@ -163,7 +163,7 @@ function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.P
                 ...(aslant ? { tickRotate: -40 } : {}),
             }),
             Plot.axisY(places.decades, {
-                tickFormat: power_text,
+                tickFormat: power,
                 label: props.magnitude_label,
                 labelArrow: "none",
             }),
@@ -271,8 +271,8 @@ function numbers_of({ series, categories, category_label, magnitude_label }: Mag
         s.magnitudes.map((m): Cell[] => [
             s.name,
             categories[m.category]!,
-            m.beyond ? { text: number_text(m.value), style: "beyond" } : number_text(m.value),
-            ...(bounded ? [m.bound === undefined ? "" : number_text(m.bound)] : []),
+            m.beyond ? { text: short(m.value), style: "beyond" } : short(m.value),
+            ...(bounded ? [m.bound === undefined ? "" : short(m.bound)] : []),
         ]),
     );
     return { head: ["", category_label, magnitude_label, ...(bounded ? ["bound"] : [])], rows };
