@@ -38,3 +38,8 @@ export function grouped(n: number): string {
 export function counted(n: number, one: string, many = `${one}s`): string {
     return `${grouped(n)} ${n === 1 ? one : many}`;
 }
+
+/// 10 to that power: 0.01, 1, 1e14.
+export function power(decade: number): string {
+    return Math.abs(decade) <= 3 ? String(Number(`1e${decade}`)) : `1e${decade}`;
+}

@@ -2,8 +2,8 @@
 import { render } from "preact";
 
 import type { Case, ClassJson, ComparisonJson } from "../src/format";
-import { ConvergencePlot } from "../src/plots/convergence_plot";
-import { ErrorPlot } from "../src/plots/error_plot";
+import { ConvergencePlot } from "../src/plots/convergence";
+import { ErrorPlot } from "../src/plots/error";
 import { Histogram } from "../src/plots/histogram";
 
 interface Numbers {

@@ -87,6 +87,8 @@ export function PlotCanvas({ label, height, draw }: CanvasProps) {
             const plot = Plot.plot({ ...draw(width), width, height, figure: false });
             plot.setAttribute("role", "img");
             plot.setAttribute("aria-label", label);
+            // Names of its groups, which have no role.
+            for (const group of plot.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
             element.replaceChildren(plot);
         };
         redraw();

@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
 import { Figure, PlotCanvas } from "./figure";
-import { counted, number_text, power_text } from "./numbers";
+import { counted, grouped, power, short } from "../numbers";
 
 const kHeight = 260;
 /// Decades a bin: the first with which there are not too many.
@@ -67,8 +67,8 @@ export function Histogram({ values, title, unit }: HistogramProps) {
 
 function reading_of({ identical, not_finite, largest }: Bins, all: number, unit: string): string {
     if (all === 0) return "There are no vertices.";
-    const parts = [`${identical.toLocaleString("en")} of ${counted(all, "vertex is", "vertices are")} identical`];
-    if (largest > 0) parts.push(`the largest error is ${number_text(largest)} ${unit}`);
+    const parts = [`${grouped(identical)} of ${counted(all, "vertex is", "vertices are")} identical`];
+    if (largest > 0) parts.push(`the largest error is ${short(largest)} ${unit}`);
     if (not_finite > 0) parts.push(`${counted(not_finite, "is", "are")} not finite`);
     return `${parts.join("; ")}.`;
 }
@@ -82,7 +82,7 @@ interface Bar {
 
 /// In bins: the identical ones apart, below; what is not finite above.
 function bars_of({ identical, not_finite, step, first, counts }: Bins, unit: string): Bar[] {
-    const edge = (i: number) => number_text(10 ** (first + i * step));
+    const edge = (i: number) => short(10 ** (first + i * step));
     const bars = counts.map((count, i) => ({
         name: `${edge(i)} to ${edge(i + 1)} ${unit}`,
         x1: i,
@@ -119,10 +119,10 @@ function options_of(bins: Bins, bars: Bar[], unit: string): Plot.PlotOptions {
             Plot.axisY(count_ticks(most), {
                 label: "vertices",
                 labelArrow: "none",
-                tickFormat: (n: number) => n.toLocaleString("en"),
+                tickFormat: grouped,
             }),
             Plot.axisX(decades.filter((_, i) => i % every === 0), {
-                tickFormat: (i: number) => power_text(first + i * step),
+                tickFormat: (i: number) => power(first + i * step),
                 label: `error, ${unit}`,
                 labelAnchor: "center",
                 labelArrow: "none",
@@ -146,7 +146,7 @@ function options_of(bins: Bins, bars: Bar[], unit: string): Plot.PlotOptions {
             Plot.text(bars.length <= kMostCounts ? bars.filter((bar) => bar.count > 0) : apart, {
                 x: centre,
                 y: "count",
-                text: (bar: Bar) => bar.count.toLocaleString("en"),
+                text: (bar: Bar) => grouped(bar.count),
                 dy: -7,
             }),
             Plot.ruleY([0]),

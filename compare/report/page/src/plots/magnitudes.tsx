@@ -4,8 +4,8 @@ import { useMemo } from "preact/hooks";
 
 import { Figure, PlotCanvas } from "./figure";
 import type { Cell, Numbers } from "./figure";
-import { number_text, power_text } from "./numbers";
-import { place, places_of } from "./places";
+import { power, short } from "../numbers";
+import { has_logarithm, place, places_of } from "./places";
 import type { Places } from "./places";
 import { kMostCategories, kMostSeries, series_style } from "./theme";
 
@@ -41,6 +41,8 @@ interface MagnitudesProps {
 }
 
 const kHeight = 340;
+/// Where labels may be aslant.
+const kUnorderedHeight = 390;
 /// Shares of a category's width: what its marks take, and one of them at most.
 const kSpread = 0.7;
 const kMostStep = 0.2;
@@ -59,7 +61,7 @@ export function Magnitudes(props: MagnitudesProps) {
     const reading = [props.reading, ...left_out].join(" ");
     return (
         <Figure title={props.title} reading={reading} numbers={props.numbers ?? numbers_of(props)}>
-            <PlotCanvas label={`${props.title}. ${reading}`} height={kHeight} draw={draw} />
+            <PlotCanvas label={`${props.title}. ${reading}`} height={props.ordered ? kHeight : kUnorderedHeight} draw={draw} />
             <Legend series={shown.series} bound_name={props.bound_name} />
         </Figure>
     );
@@ -99,11 +101,14 @@ interface Mark {
     y: number;
     title: string;
     beyond: boolean;
+    /// Has a logarithm.
+    finite: boolean;
 }
 
 function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.PlotOptions {
     const at_category = new Map(shown.categories.map((category, x) => [category, x]));
-    const values = shown.series.flatMap((s) => s.magnitudes.flatMap((m) => [m.value, m.bound ?? 0]));
+    const values = shown.series.flatMap((s) =>
+        s.magnitudes.flatMap((m) => (m.bound === undefined ? [m.value] : [m.value, m.bound])));
     const places = places_of(values);
     const step = Math.min(kMostStep, kSpread / shown.series.length);
     const offset = (i: number) => (i - (shown.series.length - 1) / 2) * step;
@@ -117,13 +122,14 @@ function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.P
             if (category === undefined) continue;
             const x = category + offset(i);
             const name = props.categories[m.category]!;
-            const bound = m.bound === undefined ? "" : `, bound ${number_text(m.bound)}`;
+            const bound = m.bound === undefined ? "" : `, bound ${short(m.bound)}`;
             marks.push({
                 series: s.name,
                 x,
                 y: place(places, m.value),
-                title: `${s.name}, ${props.category_label} ${name}: ${number_text(m.value)}${bound}`,
+                title: `${s.name}, ${props.category_label} ${name}: ${short(m.value)}${bound}`,
                 beyond: m.beyond === true,
+                finite: has_logarithm(m.value),
             });
             if (m.bound === undefined) continue;
             bounds.push({ x1: x - 0.45 * step, x2: x + 0.45 * step, y: place(places, m.bound), series: s.name });
@@ -157,7 +163,7 @@ function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.P
                 ...(aslant ? { tickRotate: -40 } : {}),
             }),
             Plot.axisY(places.decades, {
-                tickFormat: power_text,
+                tickFormat: power,
                 label: props.magnitude_label,
                 labelArrow: "none",
             }),
@@ -165,8 +171,9 @@ function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.P
                 className: "guides", clip: true }),
             Plot.link(bounds, { x1: "x1", x2: "x2", y: "y", stroke: "series", strokeWidth: 2, strokeDasharray: "3 2",
                 className: "bounds" }),
-            Plot.line(props.ordered ? marks : [], { x: "x", y: "y", z: "series", stroke: "series",
-                strokeOpacity: 0.35, className: "lines" }),
+            // No line leads to or from the places apart: it would have no slope.
+            Plot.line(props.ordered ? marks : [], { x: "x", y: (m: Mark) => (m.finite ? m.y : NaN), z: "series",
+                stroke: "series", strokeOpacity: 0.35, className: "lines" }),
             Plot.dot(marks, { x: "x", y: "y", fill: "series", symbol: "series", r: kRadius, title: "title",
                 className: "dots" }),
             Plot.dot(marks.filter((m) => m.beyond), { x: "x", y: "y", r: kRadius + 4, stroke: "var(--bad)",
@@ -200,7 +207,7 @@ function place_marks(places: Places, ends: number[], zero_label: string, values:
 function guide_of(series: Series, offset: number, places: Places) {
     const { factor } = series;
     if (factor === undefined || !(factor > 0 && factor < Infinity)) return undefined;
-    const positive = series.magnitudes.filter((m) => m.value > 0 && m.value < Infinity);
+    const positive = series.magnitudes.filter((m) => has_logarithm(m.value));
     const first = positive[0];
     const last = positive.at(-1);
     if (!first || !last || first === last) return undefined;
@@ -264,8 +271,8 @@ function numbers_of({ series, categories, category_label, magnitude_label }: Mag
         s.magnitudes.map((m): Cell[] => [
             s.name,
             categories[m.category]!,
-            m.beyond ? { text: number_text(m.value), style: "beyond" } : number_text(m.value),
-            ...(bounded ? [m.bound === undefined ? "" : number_text(m.bound)] : []),
+            m.beyond ? { text: short(m.value), style: "beyond" } : short(m.value),
+            ...(bounded ? [m.bound === undefined ? "" : short(m.bound)] : []),
         ]),
     );
     return { head: ["", category_label, magnitude_label, ...(bounded ? ["bound"] : [])], rows };

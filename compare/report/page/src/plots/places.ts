@@ -17,12 +17,16 @@ const kMostTicks = 8;
 /// Share of the finite part that a place apart takes.
 const kApart = 0.15;
 
+export function has_logarithm(value: number): boolean {
+    return value > 0 && value < Infinity;
+}
+
 /// The axis that holds all of these.
 export function places_of(values: Iterable<number>): Places {
     let least = Infinity;
     let largest = -Infinity;
     for (const value of values) {
-        if (!(value > 0) || value === Infinity) continue;
+        if (!has_logarithm(value)) continue;
         least = Math.min(least, value);
         largest = Math.max(largest, value);
     }
@@ -46,5 +50,5 @@ export function places_of(values: Iterable<number>): Places {
 /// Where a magnitude stands.
 export function place(places: Places, value: number): number {
     if (value === 0) return places.zero;
-    return value > 0 && value < Infinity ? Math.log10(value) : places.not_finite;
+    return has_logarithm(value) ? Math.log10(value) : places.not_finite;
 }

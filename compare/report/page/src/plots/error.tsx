@@ -5,7 +5,7 @@ import type { ClassJson, ComparisonJson } from "../format";
 import type { Cell, Numbers } from "./figure";
 import { Magnitudes } from "./magnitudes";
 import type { Series } from "./magnitudes";
-import { counted, number_text } from "./numbers";
+import { counted, short } from "../numbers";
 
 /// What this plot needs of a level.
 interface ClassLevel {
@@ -88,7 +88,7 @@ function reading_of(levels: ClassLevel[]): string {
     const where = `(${largest.c.class}, level ${largest.level})`;
     const beyond = all.reduce((sum, { c }) => sum + c.beyond_bound, 0);
     if (size === 0 && beyond === 0) return "Identical at every level.";
-    const amount = size < Infinity ? `At most ${number_text(size)} u M ${where}` : `Not finite in places ${where}`;
+    const amount = size < Infinity ? `At most ${short(size)} u M ${where}` : `Not finite in places ${where}`;
     return beyond === 0
         ? `${amount}; every vertex is within its bound.`
         : `${amount}; ${counted(beyond, "vertex is", "vertices are")} beyond what rounding explains.`;
@@ -101,9 +101,9 @@ function numbers_of(levels: ClassLevel[]): Numbers {
             String(level),
             String(c.vertices),
             String(c.difference.identical),
-            size_of(c) < Infinity ? number_text(size_of(c)) : `${c.difference.not_finite} not finite`,
-            number_text(c.largest_bound_in_uM),
-            number_text(c.bound_use),
+            size_of(c) < Infinity ? short(size_of(c)) : `${c.difference.not_finite} not finite`,
+            short(c.largest_bound_in_uM),
+            short(c.bound_use),
             c.beyond_bound > 0 ? { text: String(c.beyond_bound), style: "beyond" } : "0",
         ]),
     );

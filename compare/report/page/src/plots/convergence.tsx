@@ -4,7 +4,7 @@ import { useMemo } from "preact/hooks";
 import type { Case } from "../format";
 import { Magnitudes } from "./magnitudes";
 import type { Series } from "./magnitudes";
-import { number_text } from "./numbers";
+import { short } from "../numbers";
 
 type Points = Case["convergence"];
 
@@ -21,8 +21,8 @@ export function ConvergencePlot({ points }: { points: Points }) {
                     p.class,
                     String(p.level),
                     String(p.vertices),
-                    number_text(p.distance),
-                    p.factor === null ? "not known" : number_text(p.factor),
+                    short(p.distance),
+                    p.factor === null ? "not known" : short(p.factor),
                 ]),
             },
         };
@@ -57,6 +57,6 @@ function reading_of(points: Points): string {
     const slowest = known.reduce((most, p) => ((p.factor ?? 0) > (most.factor ?? 0) ? p : most));
     return (
         "In the end a level multiplies the distance by the factor of its class, which the thin lines show; " +
-        `${slowest.class} is the slowest, by ${number_text(slowest.factor)} a level.`
+        `${slowest.class} is the slowest, by ${short(slowest.factor)} a level.`
     );
 }
