@@ -32,6 +32,8 @@ if(LOOPCHECK_BENCH STREQUAL "AUTO" AND NOT PROJECT_IS_TOP_LEVEL)
     set(LOOPCHECK_BENCH_FOUND FALSE)
 endif()
 
+include(LoopcheckHtml)
+
 if(loopcheck_missing)
     loopcheck_sentence(sentence)
     message(FATAL_ERROR "${sentence}")

@@ -48,6 +48,9 @@ loopcheck_need("${fmt_FOUND}" {fmt} libfmt-dev)
 find_package(Boost 1.74 QUIET)
 loopcheck_need("${Boost_FOUND}" "Boost's headers" libboost-dev)
 
+find_package(ZLIB QUIET)
+loopcheck_need("${ZLIB_FOUND}" zlib zlib1g-dev)
+
 find_package(Threads QUIET)
 loopcheck_need("${Threads_FOUND}" "a threads library" libc6-dev)
 

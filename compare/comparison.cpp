@@ -73,6 +73,7 @@ class LevelComparer {
         if (!d.as_predicted) ++stats.unexplained;
         if (!is_within(from_exact_a, bound_a)) ++stats.subject_wrong;
         if (!is_within(from_exact_b, bound_b)) ++stats.reference_wrong;
+        stats.largest_bound = std::max(stats.largest_bound, largest(bound_a + bound_b));
         stats.predicted = std::max(stats.predicted, largest(glm::abs(predicted)));
         count(r, stats);
         return r;

@@ -93,7 +93,7 @@ const Referee::Made& Referee::made(const Subject& subject, const Witness& witnes
 }
 
 std::optional<Referee::Obstacle> Referee::obstacle(const Subject& subject) {
-    const auto& truth = witness(options_for(subject, options_));
+    const auto& truth = exact(subject);
     if (!truth) return Obstacle{Verdict::NotSupported, core::to_string(truth.error())};
     if (const auto& error = made(subject, *truth).error)
         return Obstacle{verdict_of(*error), fmt::format("{}: {}", subject.name, core::to_string(*error))};
@@ -117,8 +117,8 @@ Comparison Referee::judge(const Subject& subject, const Subject& reference, int 
     for (const Subject* who : {&subject, &reference})
         if (const auto why = obstacle(*who)) return stop(why->verdict, why->sentence);
 
-    const auto& truth_a = witness(options_for(subject, options_));
-    const auto& truth_b = witness(options_for(reference, options_));
+    const auto& truth_a = exact(subject);
+    const auto& truth_b = exact(reference);
     const Made &made_a = made(subject, *truth_a), &made_b = made(reference, *truth_b);
     const Side a{&subject, &made_a.refinement, &made_a.match, &*truth_a};
     const Side b{&reference, &made_b.refinement, &made_b.match, &*truth_b};
@@ -181,7 +181,7 @@ std::optional<Referee::Obstacle> Referee::limit_obstacle(const Subject& subject)
                         fmt::format("{}: {}", subject.name,
                                     core::to_string({core::ErrorCode::Unsupported, "It has no limits."}))};
     if (auto why = obstacle(subject)) return why;
-    if (const auto& error = made_limits(subject, *witness(options_for(subject, options_))).error)
+    if (const auto& error = made_limits(subject, *exact(subject)).error)
         return Obstacle{verdict_of(*error), fmt::format("{}: {}", subject.name, core::to_string(*error))};
     return std::nullopt;
 }
@@ -201,7 +201,8 @@ LimitSide Referee::limit_side(const Subject& subject) {
     return side;
 }
 
-LimitComparison Referee::judge_limits(const Subject& subject, const Subject& reference, int top) {
+LimitComparison Referee::judge_limits(const Subject& subject, const Subject& reference, int top,
+                                      const LimitVisitor& visit) {
     for (const Subject* who : {&subject, &reference})
         if (const auto why = limit_obstacle(*who)) {
             LimitComparison out;
@@ -210,7 +211,7 @@ LimitComparison Referee::judge_limits(const Subject& subject, const Subject& ref
             return out;
         }
     const LimitSide a = limit_side(subject), b = limit_side(reference);
-    LimitComparison out = compare_limits(a, b, deviations_, top);
+    LimitComparison out = compare_limits(a, b, deviations_, top, visit);
     out.notes = limits_in_words(out, a, b);
     return out;
 }

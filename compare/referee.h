@@ -38,7 +38,11 @@ class Referee {
 
     /// Compares the limits of two subjects at every level, paired as their refinements are.  Never throws and
     /// never fails either.
-    LimitComparison judge_limits(const Subject& subject, const Subject& reference, int top = 0);
+    LimitComparison judge_limits(const Subject& subject, const Subject& reference, int top = 0,
+                                 const LimitVisitor& visit = {});
+
+    /// What is exact under the rules that a subject is meant to follow; kept as long as this.  Errors: TooLarge.
+    const core::Result<Witness>& exact(const Subject& subject) { return witness(options_for(subject, options_)); }
 
     const core::TriangleMesh& mesh() const { return mesh_; }
     int levels() const { return levels_; }

@@ -141,6 +141,7 @@ void ClassStats::add(const ClassStats& other) {
     subject_error.add(other.subject_error);
     reference_error.add(other.reference_error);
     largest_bound_use = std::max(largest_bound_use, other.largest_bound_use);
+    largest_bound = std::max(largest_bound, other.largest_bound);
     predicted = std::max(predicted, other.predicted);
     beyond_bound += other.beyond_bound;
     unexplained += other.unexplained;

@@ -57,6 +57,7 @@ struct ClassStats {
     ErrorStats subject_error;      ///< subject against the exact rules
     ErrorStats reference_error;    ///< reference against the exact rules
     double largest_bound_use = 0;  ///< max of |a - b| / (E_a + E_b): above 1 the masks differ
+    double largest_bound = 0;      ///< max of E_a + E_b
     double predicted = 0;  ///< largest difference between the exact results of the two subjects' rules
     std::size_t beyond_bound = 0;   ///< vertices that violate the bound
     std::size_t unexplained = 0;    ///< vertices whose difference is not the predicted one, within the bound

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <future>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "compare/memory.h"
 #include "compare/referee.h"
+#include "compare/report/html/mesh_case.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -26,18 +28,47 @@ struct Case {
     core::SchemeOptions options;
 };
 
-std::vector<SuiteRow> run_case(const Case& one, std::span<const Subject> subjects,
-                               const SuiteOptions& options) {
-    Referee referee(one.model->mesh, one.options, options.levels);
-    std::vector<SuiteRow> out;
+struct CaseResult {
+    std::vector<SuiteRow> rows;
+    std::optional<std::string> chunk;
+};
+
+// The row of one pair, kept for the report too where there is one.
+SuiteRow run_pair(const std::string& name, Referee& referee, const Subject& ours, const Subject& peer, Scope scope,
+                  MeshCase* shown) {
+    const bool limits = scope == Scope::Limits && ours.limit && peer.limit;
+    SuiteRow row{name, {}, std::nullopt};
+    if (shown == nullptr) {
+        row.comparison = referee.judge(ours, peer);
+        if (limits) row.limits = referee.judge_limits(ours, peer);
+        return row;
+    }
+    shown->begin(ours, peer);
+    const auto keep = [&](const auto& record) { shown->add(record); };
+    row.comparison = referee.judge(ours, peer, kWorstListed, keep);
+    if (limits) row.limits = referee.judge_limits(ours, peer, kWorstListed, keep);
+    shown->end(row.comparison, row.limits);
+    for (LevelResult& level : row.comparison.levels) level.worst = {};
+    if (row.limits)
+        for (LimitLevelResult& level : row.limits->levels) level.worst = {};
+    return row;
+}
+
+CaseResult run_case(const Case& one, std::span<const Subject> subjects, const SuiteOptions& options) {
+    const core::TriangleMesh& mesh = one.model->mesh;
+    Referee referee(mesh, one.options, options.levels);
+    std::optional<MeshCase> shown;
+    if (options.shown_vertices > 0)
+        shown.emplace(mesh, shown_levels(mesh, options.levels, options.shown_vertices));
+    CaseResult out;
     for (const Subject& peer : subjects) {
         const Subject* ours = in_precision(subjects, subjects.front(), peer.precision);
         if (ours == nullptr || peer.family == ours->family) continue;
-        SuiteRow row{one.name, referee.judge(*ours, peer), std::nullopt};
-        if (options.scope == Scope::Limits && ours->limit && peer.limit)
-            row.limits = referee.judge_limits(*ours, peer);
-        out.push_back(std::move(row));
+        out.rows.push_back(
+            run_pair(one.name, referee, *ours, peer, options.scope, shown ? &*shown : nullptr));
     }
+    if (shown)
+        if (const auto& exact = referee.exact(subjects.front())) out.chunk = std::move(*shown).chunk(*exact);
     return out;
 }
 
@@ -58,13 +89,24 @@ std::string name_among(const std::vector<std::filesystem::path>& models, const s
     return same == 1 ? model.filename().string() : model.string();
 }
 
-double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& options, Scope scope) {
+double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& rules,
+                        const SuiteOptions& options, const core::TriangleMesh& mesh) {
     std::vector<const Subject*> all;
     for (const Subject& subject : subjects) all.push_back(&subject);
-    return referee_bytes_per_vertex(all, options, scope);
+    const double shown =
+        options.shown_vertices > 0 ? shown_bytes(mesh, options.levels, options.shown_vertices, all.size()) : 0;
+    return referee_bytes_per_vertex(all, rules, options.scope) + shown / level_size(mesh, options.levels).vertices;
 }
 
 }  // namespace
+
+SuiteCase make_case(std::string model, const core::TriangleMesh& mesh, const core::SchemeOptions& options) {
+    const core::Topology& t = mesh.topology();
+    std::size_t boundary = 0;
+    for (core::Index e = 0; e < t.edge_count(); ++e)
+        if (t.is_boundary_edge(e)) ++boundary;
+    return {std::move(model), options, static_cast<std::size_t>(t.vertex_count), t.triangles.size(), boundary};
+}
 
 std::size_t SuiteResult::limit_rows() const {
     return static_cast<std::size_t>(
@@ -118,8 +160,8 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
         else
             error = check_memory(
                 model->mesh, options.levels,
-                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop),
-                                 options.scope),
+                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop), options,
+                                 model->mesh),
                 options.memory_limit / options.jobs);
         if (error) {
             result.unreadable.push_back({name, *error});
@@ -132,7 +174,7 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
                  options_for_model(loaded.back()->model, boundary, std::nullopt, core::Weights::Loop)});
     }
 
-    std::vector<std::vector<SuiteRow>> outcomes(cases.size());
+    std::vector<CaseResult> outcomes(cases.size());
     std::atomic<std::size_t> next = 0;
     std::size_t done = 0;
     std::mutex progress_mutex;
@@ -146,8 +188,13 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
     std::vector<std::future<void>> workers;
     for (int j = 0; j < options.jobs; ++j) workers.push_back(std::async(std::launch::async, work));
     for (auto& worker : workers) worker.get();
-    for (auto& rows : outcomes)
-        for (SuiteRow& row : rows) result.rows.push_back(std::move(row));
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        SuiteCase& done_case = result.cases.emplace_back(
+            make_case(cases[i].name, cases[i].model->mesh, cases[i].options));
+        done_case.rows = outcomes[i].rows.size();
+        done_case.chunk = std::move(outcomes[i].chunk);
+        std::move(outcomes[i].rows.begin(), outcomes[i].rows.end(), std::back_inserter(result.rows));
+    }
     return result;
 }
 

@@ -23,6 +23,17 @@ struct SuiteRow {
     Verdict limit_verdict() const { return limits ? limits->verdict : Verdict::Identical; }
 };
 
+/// A model under one choice of rules.
+struct SuiteCase {
+    std::string model;  ///< as in its rows
+    core::SchemeOptions options;
+    std::size_t vertices = 0, faces = 0, boundary_edges = 0;  ///< of the control mesh
+    std::size_t rows = 0;                                     ///< how many of the rows are of it
+    std::optional<std::string> chunk = {};  ///< of the HTML report, where it was asked for and something was compared
+};
+/// Without rows.
+SuiteCase make_case(std::string model, const core::TriangleMesh& mesh, const core::SchemeOptions& options);
+
 /// A model that could not be read.
 struct UnreadableModel {
     std::string model;
@@ -31,6 +42,7 @@ struct UnreadableModel {
 
 struct SuiteResult {
     std::vector<SuiteRow> rows;  ///< by model name, boundary option and subject, whatever the number of jobs
+    std::vector<SuiteCase> cases;  ///< in the order of the rows
     std::vector<UnreadableModel> unreadable;
     std::size_t models = 0;
     int levels = 0;
@@ -53,7 +65,8 @@ struct SuiteOptions {
     int jobs = 1;
     bool triangulate = false;
     Scope scope = Scope::Limits;
-    double memory_limit = 0;  ///< bytes, for all jobs together
+    double memory_limit = 0;         ///< bytes, for all jobs together
+    std::size_t shown_vertices = 0;  ///< make chunks of the HTML report, with levels of at most so many vertices
 };
 
 /// Called after each case (a model under one boundary option) with the number done, of how many, and its

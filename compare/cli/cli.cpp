@@ -12,6 +12,7 @@
 
 #include "compare/cli/command.h"
 #include "compare/memory.h"
+#include "compare/report/html/page.h"
 #include "compare/words.h"
 #include "core/mesh/io/atomic_file.h"
 #include "core/mesh/io/number.h"
@@ -97,6 +98,22 @@ std::optional<CreaseTags> MeshFlags::apply_to(core::TriangleMesh& mesh) const {
     return tag_creases(mesh, *crease_angle);
 }
 
+void HtmlFlags::add_to(CLI::App& command, std::size_t most_vertices) {
+    vertices = most_vertices;
+    CLI::Option* html = command.add_option("--html", path, "write the report as a page to look at, one HTML file");
+    command
+        .add_option("--html-vertices", vertices, "in that file, levels of at most so many vertices; the others are named")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100'000'000))
+        ->needs(html);
+}
+
+bool HtmlFlags::check(const Context& context) const {
+    if (!wanted() || why_no_page().empty()) return true;
+    context.err << why_no_page() << "\n";
+    return false;
+}
+
 const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision) {
     const Subject* subject = find_subject(context.subjects, name);
     if (subject != nullptr && precision == "float")
@@ -107,16 +124,16 @@ const Subject* find_or_complain(const Context& context, std::string_view name, c
     return subject;
 }
 
-std::optional<LoadedModel> load_or_complain(const Context& context, const std::string& path,
-                                            bool triangulate) {
+core::Result<LoadedModel> load_or_complain(const Context& context, const std::string& path,
+                                           bool triangulate) {
     auto model = load_model(path, triangulate);
     if (!model) {
         complain(context, path, model.error());
-        return std::nullopt;
+        return model;
     }
     for (const std::string& warning : model->model.warnings)
         context.err << fmt::format("{}: warning: {}\n", path, warning);
-    return std::move(*model);
+    return model;
 }
 
 void complain(const Context& context, const std::string& path, const core::Error& error) {

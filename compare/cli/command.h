@@ -79,11 +79,22 @@ struct MeshFlags {
     std::optional<CreaseTags> apply_to(core::TriangleMesh& mesh) const;
 };
 
+/// --html and --html-vertices.
+struct HtmlFlags {
+    std::string path;
+    std::size_t vertices = 0;  ///< most of a level that is shown
+
+    void add_to(CLI::App& command, std::size_t most_vertices);
+    bool wanted() const { return !path.empty(); }
+    /// False, with a message, where a report is wanted that this build cannot write.
+    bool check(const Context& context) const;
+};
+
 /// The subject of that name, or a message and nothing.
 const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision);
 
 /// Loads a model and prints its warnings, or prints why it cannot be loaded.
-std::optional<LoadedModel> load_or_complain(const Context& context, const std::string& path,
+core::Result<LoadedModel> load_or_complain(const Context& context, const std::string& path,
                                             bool triangulate);
 
 /// Prints an error about a file, as "cow.obj: line 3: sentence [code]".

@@ -8,6 +8,8 @@
 #include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/referee.h"
+#include "compare/report/html/mesh_case.h"
+#include "compare/report/html/report_page.h"
 #include "compare/report/refinement.h"
 #include "compare/report/report.h"
 
@@ -21,6 +23,7 @@ struct CompareFlags {
     MeshFlags mesh;
     WorkFlags work;
     AdaptiveFlags adaptive;
+    HtmlFlags html;
     std::string json, csv, ply;
     int top = 1;
     bool limit = false;
@@ -30,23 +33,39 @@ struct CompareFlags {
 struct VertexReports {
     CsvReport csv;
     std::optional<PlyReport> ply;
+    SuiteResult shown;  // for HTML
 };
 
 std::size_t to_count(double size) {
     return static_cast<std::size_t>(size);
 }
 
-std::optional<ModelReport> compare_model(const Context& context, const CompareFlags& flags,
-                                         const std::string& path, const LoadedModel& model, const Subject& a,
-                                         const Subject& b, VertexReports& reports) {
-    const core::SchemeOptions options = flags.rules.for_model(model.model);
+// Bytes per vertex of the last level.
+double bytes_per_vertex(const CompareFlags& flags, const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                        const Subject& a, const Subject& b) {
     const std::array both{&a, &b};
-    const double bytes =
-        referee_bytes_per_vertex(both, options, flags.limit ? Scope::Limits : Scope::Refinement) +
-        (flags.csv.empty() ? 0 : kCsvBytesPerVertex) + (flags.ply.empty() ? 0 : kPlyBytesPerVertex);
-    if (const auto error = check_memory(model.mesh, flags.work.levels, bytes, flags.work.memory_limit())) {
+    return referee_bytes_per_vertex(both, options, flags.limit ? Scope::Limits : Scope::Refinement) +
+           (flags.csv.empty() ? 0 : kCsvBytesPerVertex) + (flags.ply.empty() ? 0 : kPlyBytesPerVertex) +
+           (flags.html.wanted() ? shown_bytes(mesh, flags.work.levels, flags.html.vertices, 1) /
+                                      level_size(mesh, flags.work.levels).vertices
+                                : 0);
+}
+
+// Leaves the first `top` of the worst vertices of each level.
+template <class Levels>
+void keep_top(Levels& levels, int top) {
+    for (auto& level : levels)
+        if (level.worst.size() > to_count(top)) level.worst.resize(to_count(top));
+}
+
+core::Result<ModelReport> compare_model(const Context& context, const CompareFlags& flags, const std::string& path,
+                                        const LoadedModel& model, const Subject& a, const Subject& b,
+                                        VertexReports& reports) {
+    const core::SchemeOptions options = flags.rules.for_model(model.model);
+    if (auto error = check_memory(model.mesh, flags.work.levels, bytes_per_vertex(flags, model.mesh, options, a, b),
+                                  flags.work.memory_limit())) {
         complain(context, path, *error);
-        return std::nullopt;
+        return tl::unexpected(std::move(*error));
     }
     Progress progress(context);
     progress.show(fmt::format("{}: refining {} levels", path, flags.work.levels));
@@ -59,17 +78,36 @@ std::optional<ModelReport> compare_model(const Context& context, const CompareFl
         for (int l = 0; l <= flags.work.levels; ++l) rows += level_size(model.mesh, l).vertices;
         reports.csv.reserve(to_count(rows));
     }
+    std::optional<MeshCase> shown;
+    if (flags.html.wanted()) {
+        shown.emplace(model.mesh, shown_levels(model.mesh, flags.work.levels, flags.html.vertices));
+        shown->begin(a, b);
+    }
     VertexVisitor visit;
-    if (!flags.csv.empty() || reports.ply)
+    if (!flags.csv.empty() || reports.ply || shown)
         visit = [&](const VertexRecord& record) {
             if (!flags.csv.empty()) reports.csv.add(path, record, unit);
             if (reports.ply) reports.ply->add(record);
+            if (shown) shown->add(record);
         };
-    auto comparison = referee.judge(a, b, flags.top, visit);
+    LimitVisitor visit_limit;
+    if (shown) visit_limit = [&](const LimitRecord& record) { shown->add(record); };
+    const int top = shown ? std::max(flags.top, kWorstListed) : flags.top;
+    auto comparison = referee.judge(a, b, top, visit);
     std::optional<LimitComparison> limits;
     if (flags.limit) {
         progress.show(fmt::format("{}: limits of {} levels", path, flags.work.levels));
-        limits = referee.judge_limits(a, b, flags.top);
+        limits = referee.judge_limits(a, b, top, visit_limit);
+    }
+    if (shown) {
+        progress.show(fmt::format("{}: gathering what the page shows", path));
+        shown->end(comparison, limits);
+        keep_top(comparison.levels, flags.top);
+        if (limits) keep_top(limits->levels, flags.top);
+        SuiteCase& one = reports.shown.cases.emplace_back(make_case(path, model.mesh, options));
+        one.rows = 1;
+        if (const auto& exact = referee.exact(a)) one.chunk = std::move(*shown).chunk(*exact);
+        reports.shown.rows.push_back({path, comparison, limits});
     }
     return make_report(path, model.mesh, std::move(comparison), std::move(limits));
 }
@@ -122,6 +160,7 @@ int run_adaptive(const Context& context, const CompareFlags& flags, const Subjec
 }
 
 int run_compare(const Context& context, const CompareFlags& flags) {
+    if (!flags.html.check(context)) return kExitUsage;
     const Subject* a = find_or_complain(context, flags.subject, flags.precision);
     const Subject* b = find_or_complain(context, flags.reference, flags.precision);
     if (a == nullptr || b == nullptr) return kExitUsage;
@@ -135,11 +174,12 @@ int run_compare(const Context& context, const CompareFlags& flags) {
     }
     if (flags.limit && !(flags.csv.empty() && flags.ply.empty()))
         context.err << "--csv and --ply have the refinement only, not the limits.\n";
-    const std::array outputs{flags.json, flags.csv, flags.ply};
+    const std::array outputs{flags.json, flags.csv, flags.ply, flags.html.path};
     if (outputs_clash(context, outputs, flags.models)) return kExitUsage;
     if (flags.adaptive.on) {
-        if (flags.models.size() > 1 || flags.limit || !flags.csv.empty() || !flags.ply.empty()) {
-            context.err << "--adaptive takes one model, and goes without --limit, --csv and --ply.\n";
+        if (flags.models.size() > 1 || flags.limit || !flags.csv.empty() || !flags.ply.empty() ||
+            flags.html.wanted()) {
+            context.err << "--adaptive takes one model, and goes without --limit, --csv, --ply and --html.\n";
             return kExitUsage;
         }
         return run_adaptive(context, flags, *a, *b);
@@ -150,8 +190,10 @@ int run_compare(const Context& context, const CompareFlags& flags) {
     for (const std::string& path : flags.models) {
         auto model = load_or_complain(context, path, flags.work.triangulate);
         const auto creases = model ? flags.mesh.apply_to(model->mesh) : std::nullopt;
-        auto report = model ? compare_model(context, flags, path, *model, *a, *b, vertices) : std::nullopt;
+        auto report = model ? compare_model(context, flags, path, *model, *a, *b, vertices)
+                            : core::Result<ModelReport>(tl::unexpected(model.error()));
         if (!report) {
+            vertices.shown.unreadable.push_back({path, report.error()});
             code = worse_exit_code(code, kExitUsage);
             continue;
         }
@@ -173,6 +215,12 @@ int run_compare(const Context& context, const CompareFlags& flags) {
     if (!flags.json.empty() &&
         !write_or_complain(context, flags.json, comparisons_as_json(reports, context.subjects, code)))
         code = kExitUsage;
+    if (flags.html.wanted()) {
+        vertices.shown.models = flags.models.size();
+        vertices.shown.levels = flags.work.levels;
+        const std::string page = suite_as_html(std::move(vertices.shown), "compare", code, context.subjects);
+        if (!write_or_complain(context, flags.html.path, page)) code = kExitUsage;
+    }
     return code;
 }
 
@@ -198,6 +246,7 @@ Command add_compare(CLI::App& program) {
     command->add_option("--csv", flags->csv, "write one line a vertex");
     command->add_option("--ply", flags->ply,
                         "write the last level with the error as vertex scalar 'quality'");
+    flags->html.add_to(*command, 100'000);
     command->add_option("--top", flags->top, "how many of the worst vertices to show")
         ->capture_default_str()
         ->check(CLI::Range(0, 100000));

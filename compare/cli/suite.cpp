@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "compare/cli/command.h"
-#include "compare/report/report.h"
+#include "compare/report/html/report_page.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -15,13 +15,15 @@ namespace {
 struct SuiteFlags {
     std::vector<std::string> paths{"models"};
     WorkFlags work;
+    HtmlFlags html;
     std::string json, junit;
     int jobs = 1;
     bool no_limit = false;
 };
 
 int run_suite_command(const Context& context, const SuiteFlags& flags) {
-    const std::array outputs{flags.json, flags.junit};
+    if (!flags.html.check(context)) return kExitUsage;
+    const std::array outputs{flags.json, flags.junit, flags.html.path};
     if (outputs_clash(context, outputs, flags.paths)) return kExitUsage;
     std::vector<std::filesystem::path> models;
     for (const std::string& path : flags.paths) {
@@ -49,7 +51,8 @@ int run_suite_command(const Context& context, const SuiteFlags& flags) {
         Progress progress(context);
         result = run_suite(models, context.subjects,
                            {flags.work.levels, flags.jobs, flags.work.triangulate,
-                            flags.no_limit ? Scope::Refinement : Scope::Limits, flags.work.memory_limit()},
+                            flags.no_limit ? Scope::Refinement : Scope::Limits, flags.work.memory_limit(),
+                            flags.html.wanted() ? flags.html.vertices : 0},
                            [&](std::size_t done, std::size_t of, const std::string& model) {
                                progress.show(fmt::format("[{}/{}] {}", done, of, model));
                            });
@@ -60,7 +63,12 @@ int run_suite_command(const Context& context, const SuiteFlags& flags) {
         written = write_or_complain(context, flags.json, suite_as_json(result, context.subjects)) && written;
     if (!flags.junit.empty())
         written = write_or_complain(context, flags.junit, suite_as_junit(result)) && written;
-    return written ? result.exit_code() : kExitUsage;
+    const int code = result.exit_code();
+    if (flags.html.wanted())
+        written = write_or_complain(context, flags.html.path,
+                                    suite_as_html(std::move(result), "suite", code, context.subjects)) &&
+                  written;
+    return written ? code : kExitUsage;
 }
 
 }  // namespace
@@ -77,6 +85,7 @@ Command add_suite(CLI::App& program) {
     command->add_flag("--no-limit", flags->no_limit, "compare refinements only, not limits");
     command->add_option("--json", flags->json, "write the report as JSON");
     command->add_option("--junit", flags->junit, "write the report as JUnit XML");
+    flags->html.add_to(*command, 1000);
     return [flags](const Context& context) { return run_suite_command(context, *flags); };
 }
 

@@ -170,7 +170,7 @@ class LimitLevelComparer {
         out_.level = level;
     }
 
-    void run(int top, std::vector<DeviationSeen>& seen) {
+    void run(int top, const LimitVisitor& visit, std::vector<DeviationSeen>& seen) {
         const Index count = truth_.scheme.topology.vertex_count;
         for (auto& kept : kept_) kept.reserve(count);
         for (Index v = 0; v < count; ++v) {
@@ -186,6 +186,7 @@ class LimitLevelComparer {
             note_deviation(r, 0, a, seen);
             note_deviation(r, 1, b, seen);
             keep(r.normal, a, b);
+            if (visit) visit(r);
             keep_worst(out_.worst, r, static_cast<std::size_t>(top), worse);
         }
         std::sort(out_.worst.begin(), out_.worst.end(), worse);
@@ -236,6 +237,7 @@ class LimitLevelComparer {
         stats.subject_error.add(r.subject_error, same_bits(r.subject, a.truth.position));
         stats.reference_error.add(r.reference_error, same_bits(r.reference, b.truth.position));
         stats.largest_bound_use = std::max(stats.largest_bound_use, r.bound_use);
+        stats.largest_bound = std::max(stats.largest_bound, largest(a.truth.bound + b.truth.bound));
         stats.predicted = std::max(stats.predicted, largest(glm::abs(a.done.position - b.done.position)));
         if (!(r.bound_use <= 1)) ++stats.beyond_bound;
         if (std::max(a.position, b.position) == Standing::Wrong) ++stats.unexplained;
@@ -393,7 +395,8 @@ LimitStats total(const LimitLevelResult& level) {
 }
 
 LimitComparison compare_limits(const LimitSide& subject, const LimitSide& reference,
-                               std::span<const KnownDeviation> deviations, int top) {
+                               std::span<const KnownDeviation> deviations, int top,
+                               const LimitVisitor& visit) {
     LimitComparison out;
     std::unique_ptr<LimitLevelComparer> before;
     const auto finish = [&] {
@@ -404,7 +407,7 @@ LimitComparison compare_limits(const LimitSide& subject, const LimitSide& refere
     for (std::size_t l = 0; l < subject.witness->levels.size(); ++l) {
         auto level =
             std::make_unique<LimitLevelComparer>(subject, reference, deviations, static_cast<int>(l));
-        level->run(top, out.deviations);
+        level->run(top, visit, out.deviations);
         if (before) level->add_drift(*before);
         finish();
         before = std::move(level);

@@ -1,6 +1,7 @@
 // Two subjects' limits on one mesh: positions and normals, vertex by vertex, and the verdict.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -99,12 +100,15 @@ struct LimitSide {
     const KnownDeviation* refinement_deviation = nullptr;  ///< that deviation, or null
 };
 
+using LimitVisitor = std::function<void(const LimitRecord&)>;
+
 /// Compares two matched limits with each other, with the exact limit and each with itself at the next level.
 ///
 /// A vertex at which a deviation of the list applies must be as the deviation's masks predict, wherever that
 /// is farther from the exact limit than rounding; every other vertex must be right.  `top` is the number of
-/// worst vertices kept a level.
+/// worst vertices kept a level; `visit` is called for every vertex in order, if given.
 LimitComparison compare_limits(const LimitSide& subject, const LimitSide& reference,
-                               std::span<const KnownDeviation> deviations, int top);
+                               std::span<const KnownDeviation> deviations, int top,
+                               const LimitVisitor& visit = {});
 
 }  // namespace loopcheck::compare

@@ -54,6 +54,11 @@ LimitOracle::VertexRows LimitOracle::rows_of(const core::LimitMasks<HighPrecisio
     return out;
 }
 
+const LimitOracle::VertexRows& LimitOracle::rows_for(const core::LimitMasks<HighPrecision>& masks) {
+    const auto found = rows_.find(&masks);
+    return found != rows_.end() ? found->second : rows_.emplace(&masks, rows_of(masks)).first->second;
+}
+
 DoubleDouble3 LimitOracle::sum(Index v, const Row& row) {
     const core::Topology& t = level_.scheme.topology;
     const auto ring = t.ring(v);
@@ -75,10 +80,7 @@ dvec3 LimitOracle::bound(const Row& row, int ulps, Precision precision) const {
 }
 
 ExactLimit LimitOracle::limit(Index v, const core::LimitMasks<HighPrecision>& masks, Precision precision) {
-    auto found = rows_.find(&masks);
-    if (found == rows_.end()) found = rows_.emplace(&masks, rows_of(masks)).first;
-    const VertexRows& rows = found->second;
-
+    const VertexRows& rows = rows_for(masks);
     ExactLimit out;
     const DoubleDouble3 position = sum(v, rows.position);
     out.position = high_part(position);

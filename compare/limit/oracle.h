@@ -51,6 +51,9 @@ class LimitOracle {
     ExactLimit limit(core::Index v, const core::LimitMasks<core::HighPrecision>& masks,
                      core::Precision precision);
 
+    /// The position alone, by the rules of the witness.
+    DoubleDouble3 position(core::Index v) { return sum(v, rows_for(table_.masks(v)).position); }
+
   private:
     struct Row {
         std::vector<int> places;  ///< ring positions, then the number of them for the vertex itself
@@ -62,6 +65,7 @@ class LimitOracle {
         core::NoNormal no_normal = core::NoNormal::None;
     };
 
+    const VertexRows& rows_for(const core::LimitMasks<core::HighPrecision>& masks);
     static VertexRows rows_of(const core::LimitMasks<core::HighPrecision>& masks);
     DoubleDouble3 sum(core::Index v, const Row& row);
     glm::dvec3 bound(const Row& row, int ulps, core::Precision precision) const;

@@ -3,8 +3,8 @@
 
 #include <iterator>
 
-#include "compare/report/curve.h"
 #include "compare/report/document.h"
+#include "compare/report/json.h"
 #include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
@@ -62,26 +62,30 @@ Json json_of(const ToleranceReport& t) {
 
 }  // namespace
 
-std::string curve_as_json(const CurveReport& report, std::span<const Subject> subjects) {
+Json json_of(const CurveReport& report) {
     const CurveComparison& c = report.comparison;
-    Json out = document("curve", subjects, exit_code(c.worst()));
+    Json out{{"points", report.curve.size()},
+             {"dimension", report.dimension},
+             {"degree", report.curve.shape().degree},
+             {"ends", core::name(report.curve.shape().ends)},
+             {"domain", {report.curve.first(), report.curve.last()}},
+             {"largest_coordinate", c.largest_coordinate},
+             {"stride", c.stride},
+             {"verdict", name(c.own)},
+             {"notes", c.notes}};
+    for (const char* list : {"levels", "evaluations", "carried"}) out[list] = Json::array();
+    for (const PolygonStats& p : c.polygons) out["levels"].push_back(json_of(p));
+    for (const EvaluationStats& e : c.evaluations) out["evaluations"].push_back(json_of(e));
+    for (const CarriedComparison& one : c.carried) out["carried"].push_back(json_of(one));
+    if (report.tolerance) out["tolerance"] = json_of(*report.tolerance);
+    return out;
+}
+
+std::string curve_as_json(const CurveReport& report, std::span<const Subject> subjects) {
+    Json out = document("curve", subjects, exit_code(report.comparison.worst()));
     out["comparisons"] = Json::array();
     out["model"] = report.file;
-    Json curve{{"points", report.curve.size()},
-               {"dimension", report.dimension},
-               {"degree", report.curve.shape().degree},
-               {"ends", core::name(report.curve.shape().ends)},
-               {"domain", {report.curve.first(), report.curve.last()}},
-               {"largest_coordinate", c.largest_coordinate},
-               {"stride", c.stride},
-               {"verdict", name(c.own)},
-               {"notes", c.notes}};
-    for (const char* list : {"levels", "evaluations", "carried"}) curve[list] = Json::array();
-    for (const PolygonStats& p : c.polygons) curve["levels"].push_back(json_of(p));
-    for (const EvaluationStats& e : c.evaluations) curve["evaluations"].push_back(json_of(e));
-    for (const CarriedComparison& one : c.carried) curve["carried"].push_back(json_of(one));
-    if (report.tolerance) curve["tolerance"] = json_of(*report.tolerance);
-    out["curve"] = std::move(curve);
+    out["curve"] = json_of(report);
     return dump(out);
 }
 

@@ -16,5 +16,7 @@ nlohmann::ordered_json document(std::string_view command, std::span<const Subjec
 /// Not-a-number and infinity become null; bytes that are not UTF-8, in a file name for instance, are
 /// replaced.
 std::string dump(const nlohmann::ordered_json& json);
+/// The same in one line.
+std::string dump_compact(const nlohmann::ordered_json& json);
 
 }  // namespace loopcheck::compare

@@ -1,3 +1,5 @@
+#include "compare/report/json.h"
+
 #include "compare/limit/words.h"
 #include "compare/report/document.h"
 #include "compare/report/report.h"
@@ -24,6 +26,7 @@ Json json_of(const ClassStats& stats, const Comparison& c) {
              {"subject_error", json_of(stats.subject_error, c.unit())},
              {"reference_error", json_of(stats.reference_error, c.unit())},
              {"bound_use", stats.largest_bound_use},
+             {"largest_bound_in_uM", stats.largest_bound / c.unit()},
              {"beyond_bound", stats.beyond_bound},
              {"rule_mismatches", stats.rule_mismatches},
              {"predicted", stats.predicted}};
@@ -73,8 +76,6 @@ void add_classes_and_worst(Json& out, const Level& level, const Comparison& c) {
     out["worst"] = Json::array();
     for (const auto& record : level.worst) out["worst"].push_back(json_of(record));
 }
-
-enum class Detail { Levels, Classes };
 
 Json json_of(const LevelResult& level, const Comparison& c, Detail detail) {
     Json out{{"level", level.level},
@@ -176,10 +177,10 @@ Json json_of(const LimitComparison& limits, const Comparison& c, Detail detail) 
     return out;
 }
 
-Json json_of(const std::string& model, const Comparison& c, const std::optional<LimitComparison>& limits,
-             Detail detail) {
-    Json out{{"model", model},
-             {"subject", c.subject},
+}  // namespace
+
+Json json_of(const Comparison& c, const std::optional<LimitComparison>& limits, Detail detail) {
+    Json out{{"subject", c.subject},
              {"reference", c.reference},
              {"boundary", core::name(c.options.boundary)},
              {"creasing", core::name(c.options.creasing)},
@@ -196,14 +197,19 @@ Json json_of(const std::string& model, const Comparison& c, const std::optional<
     return out;
 }
 
-}  // namespace
+Json json_of(const UnreadableModel& bad) {
+    return {{"model", bad.model},
+            {"code", core::code_name(bad.error.code)},
+            {"error", core::to_string(bad.error)}};
+}
 
 std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<const Subject> subjects,
                                 int exit_code) {
     Json out = document("compare", subjects, exit_code);
     out["comparisons"] = Json::array();
     for (const ModelReport& report : reports) {
-        Json entry = json_of(report.model, report.comparison, report.limits, Detail::Classes);
+        Json entry{{"model", report.model}};
+        entry.update(json_of(report.comparison, report.limits, Detail::Classes));
         entry["control_mesh"] = {{"vertices", report.vertices},
                                  {"faces", report.faces},
                                  {"boundary_edges", report.boundary_edges}};
@@ -220,13 +226,13 @@ std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> sub
     Json out = document("suite", subjects, suite.exit_code());
     out["summary"] = suite_summary(suite);
     out["unreadable"] = Json::array();
-    for (const UnreadableModel& bad : suite.unreadable)
-        out["unreadable"].push_back({{"model", bad.model},
-                                     {"code", core::code_name(bad.error.code)},
-                                     {"error", core::to_string(bad.error)}});
+    for (const UnreadableModel& bad : suite.unreadable) out["unreadable"].push_back(json_of(bad));
     out["comparisons"] = Json::array();
-    for (const SuiteRow& row : suite.rows)
-        out["comparisons"].push_back(json_of(row.model, row.comparison, row.limits, Detail::Levels));
+    for (const SuiteRow& row : suite.rows) {
+        Json entry{{"model", row.model}};
+        entry.update(json_of(row.comparison, row.limits, Detail::Levels));
+        out["comparisons"].push_back(std::move(entry));
+    }
     return dump(out);
 }
 

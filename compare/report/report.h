@@ -37,6 +37,9 @@ std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> sub
 std::string limit_deviations_as_text(const SuiteResult& suite);
 /// The last line of it.
 std::string suite_summary(const SuiteResult& suite);
+/// The same of comparisons whose exit code is another: "agree: 3 comparisons and 2 of limits of 1 model, levels 0 to 5:
+/// 0 failed, ...".
+std::string summary_in_words(const SuiteResult& suite, int exit_code);
 
 /// The document of docs/report.schema.json.
 std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<const Subject> subjects,

@@ -1,5 +1,5 @@
 #include "compare/report/document.h"
-#include "compare/report/surface.h"
+#include "compare/report/json.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -35,6 +35,8 @@ Json json_of(const FaceClass& face_class, const SurfaceStats& s) {
             {"lambda", json_of(s.lambda)}};
 }
 
+}  // namespace
+
 Json json_of(const SurfaceComparison& c) {
     Json out{{"method", c.check.way.name},
              {"smooth_level", c.check.smooth_level},
@@ -59,8 +61,6 @@ Json json_of(const SurfaceComparison& c) {
     for (const auto& [face_class, stats] : c.classes) out["classes"].push_back(json_of(face_class, stats));
     return out;
 }
-
-}  // namespace
 
 std::string atlas_as_json(const Atlas& atlas, std::span<const Subject> subjects, int exit_code) {
     Json out = document("atlas", subjects, exit_code);

@@ -138,13 +138,9 @@ std::string outcomes_as_table(const SuiteResult& suite, std::span<const Subject>
 
 ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison,
                         std::optional<LimitComparison> limits) {
-    const core::Topology& t = mesh.topology();
-    const auto boundary = std::count_if(t.edge_faces.begin(), t.edge_faces.end(),
-                                        [](const auto& faces) { return faces[1] == core::kNone; });
-    return {std::move(model),      static_cast<std::size_t>(t.vertex_count),
-            t.triangles.size(),    static_cast<std::size_t>(boundary),
-            std::move(comparison), std::move(limits),
-            std::nullopt};
+    const SuiteCase sizes = make_case(model, mesh, comparison.options);
+    return {std::move(model),      sizes.vertices,    sizes.faces, sizes.boundary_edges,
+            std::move(comparison), std::move(limits), std::nullopt};
 }
 
 std::string comparison_as_text(const ModelReport& report, std::span<const Subject> subjects) {
@@ -183,16 +179,24 @@ std::string comparison_as_text(const ModelReport& report, std::span<const Subjec
     return out;
 }
 
-std::string suite_summary(const SuiteResult& suite) {
+std::string summary_in_words(const SuiteResult& suite, int exit_code) {
+    const auto counted = [](std::size_t n, std::string_view noun) {
+        return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+    };
     std::vector<std::string> parts;
     for (const Verdict verdict : {Verdict::Failed, Verdict::Differs, Verdict::KnownDeviation,
                                   Verdict::WithinRounding, Verdict::Identical, Verdict::NotSupported})
         parts.push_back(fmt::format("{} {}", suite.count(verdict), name(verdict)));
     return fmt::format(
-        "{}: {} comparisons and {} of limits of {} models, levels 0 to {}: {}{}",
-        suite.exit_code() == 0 ? "agree" : "FAIL", suite.rows.size(), suite.limit_rows(), suite.models,
+        "{}: {} and {} of limits of {}, levels 0 to {}: {}{}", exit_code == 0 ? "agree" : "FAIL",
+        counted(suite.rows.size(), "comparison"), suite.limit_rows(), counted(suite.models, "model"),
         suite.levels, fmt::join(parts, ", "),
-        suite.unreadable.empty() ? "" : fmt::format(", {} models not compared", suite.unreadable.size()));
+        suite.unreadable.empty() ? ""
+                                 : fmt::format(", {} not compared", counted(suite.unreadable.size(), "model")));
+}
+
+std::string suite_summary(const SuiteResult& suite) {
+    return summary_in_words(suite, suite.exit_code());
 }
 
 std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> subjects) {

@@ -1,10 +1,14 @@
-// node build.mjs OUTPUT [--literal]: bundles the page into one HTML file without anything from outside, or, with
-// --literal, the same as C++ string literals for #include.
+// node build.mjs OUTPUT [--literal] [--depfile FILE]: bundles the page into one HTML file without anything from outside,
+// or, with --literal, the same as C++ string literals for #include; and says in FILE what OUTPUT was made of.
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
 import { build } from "esbuild";
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
+
+/** @type {Set<string>} */
+const inputs = new Set();
 
 async function bundled(/** @type {string} */ entry) {
     const result = await build({
@@ -12,6 +16,8 @@ async function bundled(/** @type {string} */ entry) {
         bundle: true,
         minify: true,
         write: false,
+        metafile: true,
+        absWorkingDir: here("."),
         format: "esm",
         target: "es2022",
         jsx: "automatic",
@@ -19,6 +25,7 @@ async function bundled(/** @type {string} */ entry) {
         legalComments: "inline",
         logLevel: "warning",
     });
+    for (const input of Object.keys(result.metafile.inputs)) inputs.add(here(input));
     return result.outputFiles[0].text;
 }
 
@@ -29,9 +36,17 @@ function literal(/** @type {string} */ text) {
     return pieces.join("");
 }
 
-const [output = "page.html", form] = process.argv.slice(2);
+const { values: options, positionals: [output = "page.html"] } = parseArgs({
+    allowPositionals: true,
+    options: { literal: { type: "boolean" }, depfile: { type: "string" } },
+});
 const fill = { style: await bundled("src/style.css"), script: await bundled("src/main.tsx") };
 const template = await readFile(here("src/page.html"), "utf8");
 const page = template.replace(/<!--(style|script)-->/g, (_, part) =>
     part === "style" ? `<style>\n${fill.style}</style>` : `<script type="module">\n${fill.script}</script>`);
-await writeFile(output, form === "--literal" ? literal(page) : page);
+await writeFile(output, options.literal ? literal(page) : page);
+if (options.depfile !== undefined) {
+    const escaped = (/** @type {string} */ path) => path.replaceAll(/[ #]/g, "\\$&").replaceAll("$", "$$$$");
+    const paths = [here("src/page.html"), ...inputs].map(escaped);
+    await writeFile(options.depfile, `${escaped(output)}: ${paths.join(" ")}\n`);
+}

@@ -1,12 +1,13 @@
 // The surface of one level in three dimensions, with what it is coloured by and how it is drawn.
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
-import { ClassScale, ErrorScale, Legend } from "./colours";
+import { ClassScale, colours_of, ErrorScale } from "./colours";
 import type { ComparisonJson } from "./format";
 import type { Layer } from "./layers";
+import { Legend } from "./legend";
 import type { MeshLevel, Points } from "./mesh_level";
 import { short } from "./numbers";
-import { type Colours, type Mode, Viewer } from "./viewer/viewer";
+import { type Mode, Viewer } from "./viewer/viewer";
 
 const kModes: { mode: Mode; label: string }[] = [
     { mode: "subject", label: "ours" },
@@ -27,13 +28,6 @@ interface Drawing {
     shading: boolean;
     /// From 0, the truth, to kExaggerations.
     exaggeration: number;
-}
-
-/// What a scale gives each element, as bytes.
-function colours_of(layer: Layer, scale: ErrorScale | ClassScale): Colours {
-    const rgb = new Uint8Array(3 * layer.values.length);
-    for (let i = 0; i < layer.values.length; ++i) rgb.set(scale.colour_of(layer.values[i]!), 3 * i);
-    return { per: layer.per, rgb };
 }
 
 function largest_finite(values: Float64Array | null): number {
@@ -70,10 +64,10 @@ export function SurfaceView({ level, json, points, layers, layer, on_layer, sele
     const surface = useMemo(() => ours && { positions: ours, triangles }, [ours, triangles]);
     const other = useMemo(() => theirs && { positions: theirs, triangles }, [theirs, triangles]);
     const scale = useMemo(
-        () => (layer.kind === "numbers" ? ErrorScale.of(layer.values) : new ClassScale(layer.names)),
+        () => (layer.kind === "numbers" ? ErrorScale.of(layer.values, layer.unit) : new ClassScale(layer.names)),
         [layer],
     );
-    const colours = useMemo(() => colours_of(layer, scale), [layer, scale]);
+    const colours = useMemo(() => ({ per: layer.per, rgb: colours_of(scale, layer.values) }), [layer, scale]);
     const difference = useMemo(
         () => largest_finite(json ? level.difference(json, points) : null), [level, json, points],
     );
@@ -91,7 +85,9 @@ export function SurfaceView({ level, json, points, layers, layer, on_layer, sele
     useEffect(() => {
         if (viewer.current === null) return;
         viewer.current.on_pick = on_pick;
-    }, [on_pick]);
+        viewer.current.canvas.setAttribute("aria-label",
+            `${name}: drag or use the arrow keys to turn, + and - to zoom, 0 for the whole model, Enter to pick`);
+    }, [on_pick, name]);
     useEffect(() => {
         if (surface === null) return;
         const mode = other === null ? "subject" : drawing.mode;
@@ -125,7 +121,7 @@ export function SurfaceView({ level, json, points, layers, layer, on_layer, sele
                 <Toggle label="shading" on={drawing.shading} set={(shading) => set({ shading })} />
                 <button type="button" onClick={() => viewer.current?.reset()}>Whole model</button>
             </div>
-            <div class="canvas" ref={host} role="group" aria-label={`${name}: drag or use the arrow keys to turn, + and - to zoom, 0 for the whole model`}>
+            <div class="canvas" ref={host}>
                 {trouble !== null && <p role="alert">{trouble} The numbers beside and below need no picture.</p>}
                 {other !== null && drawing.mode === "side-by-side" && (
                     <>
@@ -134,7 +130,7 @@ export function SurfaceView({ level, json, points, layers, layer, on_layer, sele
                     </>
                 )}
             </div>
-            <Legend scale={scale} title={layer.label} unit={layer.kind === "numbers" ? layer.unit : ""} />
+            <Legend scale={scale} title={layer.label} />
             {other !== null && (
                 <label class="exaggeration">
                     Exaggerate the difference{" "}

@@ -1,0 +1,56 @@
+# The page of the HTML report, which packages of npm are needed to bundle: sets LOOPCHECK_HTML_FOUND, LOOPCHECK_NODE and,
+# where there will be no page, LOOPCHECK_WHY_NO_HTML, a sentence for those who ask for it.
+
+# loopcheck_find_node(OUT): finds node and npm, and sets OUT to true where they will do.
+function(loopcheck_find_node out)
+    find_program(LOOPCHECK_NODE NAMES node nodejs)
+    find_program(LOOPCHECK_NPM NAMES npm)
+    mark_as_advanced(LOOPCHECK_NODE LOOPCHECK_NPM)
+    set(${out} FALSE PARENT_SCOPE)
+    if(LOOPCHECK_NODE AND LOOPCHECK_NPM)
+        execute_process(COMMAND ${LOOPCHECK_NODE} --version OUTPUT_VARIABLE version ERROR_QUIET)
+        string(REGEX MATCH "[0-9][0-9.]*" version "${version}")
+        if(version VERSION_GREATER_EQUAL 18)
+            set(${out} TRUE PARENT_SCOPE)
+        endif()
+    endif()
+endfunction()
+
+# loopcheck_npm_ci(OUT FOLDER): installs the packages of a folder where they are missing or older than its lock file, and
+# sets OUT to true where they are there.
+function(loopcheck_npm_ci out folder)
+    set(lock ${folder}/package-lock.json)
+    set(installed ${folder}/node_modules/.package-lock.json)
+    set(${out} TRUE PARENT_SCOPE)
+    if(EXISTS ${installed} AND ${installed} IS_NEWER_THAN ${lock})
+        return()
+    endif()
+    file(LOCK ${folder}/.npm-ci GUARD FUNCTION TIMEOUT 600 RESULT_VARIABLE ignored)  # another build of the same sources
+    if(EXISTS ${installed} AND ${installed} IS_NEWER_THAN ${lock})
+        return()
+    endif()
+    message(STATUS "Installing the npm packages of ${folder}")
+    execute_process(COMMAND ${LOOPCHECK_NPM} ci --ignore-scripts --no-audit --no-fund WORKING_DIRECTORY ${folder}
+                    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE why)
+    if(failed)
+        message(STATUS "npm ci failed: ${why}")
+        set(${out} FALSE PARENT_SCOPE)
+    endif()
+endfunction()
+
+set(page_found FALSE)
+if(LOOPCHECK_HTML STREQUAL "OFF" OR (LOOPCHECK_HTML STREQUAL "AUTO" AND NOT PROJECT_IS_TOP_LEVEL))
+    set(why "it was not asked for; configure with -D LOOPCHECK_HTML=ON")
+else()
+    loopcheck_find_node(page_found)
+    set(why "npm or node 18 was missing; get them (on Debian: apt-get install nodejs npm), configure")
+    if(page_found)
+        loopcheck_npm_ci(page_found ${PROJECT_SOURCE_DIR}/compare/report/page)
+        set(why "'npm ci' failed in compare/report/page; where its registry can be reached, configure")
+    endif()
+endif()
+set(LOOPCHECK_WHY_NO_HTML "This loopcheck was built without the page that --html needs: ${why} and build again.")
+loopcheck_optional(LOOPCHECK_HTML "${page_found}" "npm and node 18 for the page of --html" "nodejs npm")
+if(NOT LOOPCHECK_HTML_FOUND AND LOOPCHECK_HTML STREQUAL "AUTO" AND PROJECT_IS_TOP_LEVEL)
+    message(STATUS "${LOOPCHECK_WHY_NO_HTML}")
+endif()

@@ -1,0 +1,57 @@
+#include "compare/report/html/page.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace loopcheck::compare {
+namespace {
+
+#ifdef LOOPCHECK_HAS_PAGE
+constexpr std::string_view kPage =
+#include "page.inc"
+    ;
+constexpr std::string_view kWhyNoPage;
+#else
+constexpr std::string_view kPage = "<!--chunks-->";
+constexpr std::string_view kWhyNoPage = LOOPCHECK_WHY_NO_PAGE;
+#endif
+
+}  // namespace
+
+std::string_view why_no_page() {
+    return kWhyNoPage;
+}
+
+std::string page_with(const std::vector<NamedChunk>& chunks) {
+    constexpr std::string_view kPlace = "<!--chunks-->";
+    const std::size_t at = kPage.find(kPlace);
+    if (at == std::string_view::npos) throw std::logic_error("The page has no place for its chunks.");
+    std::size_t size = kPage.size();
+    for (const NamedChunk& chunk : chunks) size += chunk.id.size() + chunk.text.size() + 70;
+    std::string out;
+    out.reserve(size);
+    out += kPage.substr(0, at);
+    for (const auto& [id, text] : chunks) {
+        out += fmt::format("<script type=\"application/x-loopcheck\" id=\"{}\">", id);
+        out += text;
+        out += "</script>\n";
+    }
+    out += kPage.substr(at + kPlace.size());
+    return out;
+}
+
+std::string ChunkList::add(std::string chunk) {
+    return fmt::format("case-{}", number_of_.emplace(std::move(chunk), number_of_.size()).first->second);
+}
+
+std::vector<NamedChunk> ChunkList::chunks() && {
+    std::vector<NamedChunk> out(number_of_.size());
+    while (!number_of_.empty()) {
+        auto node = number_of_.extract(number_of_.begin());
+        out[node.mapped()] = {fmt::format("case-{}", node.mapped()), std::move(node.key())};
+    }
+    return out;
+}
+
+}  // namespace loopcheck::compare
