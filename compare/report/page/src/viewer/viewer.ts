@@ -101,12 +101,16 @@ export class Viewer {
             "ArrowLeft ArrowRight ArrowUp ArrowDown Shift+ArrowLeft Shift+ArrowRight Shift+ArrowUp Shift+ArrowDown "
             + "+ - 0 Enter");
         // Kept: a page that is printed shows what was drawn last.
-        const wishes = { alpha: true, antialias: true, preserveDrawingBuffer: true };
-        if (this.canvas.getContext("webgl2", wishes) === null) {
+        const wishes = { alpha: true, preserveDrawingBuffer: true };
+        // Smooth edges cost a renderer without a graphics card most of its time.
+        const context =
+            this.canvas.getContext("webgl2", { ...wishes, antialias: true, failIfMajorPerformanceCaveat: true })
+            ?? this.canvas.getContext("webgl2", { ...wishes, antialias: false });
+        if (context === null) {
             throw new Error("The 3D view needs WebGL 2, which this browser lacks or has switched off.");
         }
         host.append(this.canvas);
-        this.renderer = new three.WebGLRenderer({ canvas: this.canvas, ...wishes });
+        this.renderer = new three.WebGLRenderer({ canvas: this.canvas });
         this.renderer.outputColorSpace = three.LinearSRGBColorSpace;
         this.renderer.autoClear = false;
         this.renderer.setClearColor(0, 0);
