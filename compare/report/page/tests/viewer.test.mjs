@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 
 import { bundle, launch, open_page } from "./support.mjs";
@@ -8,7 +9,8 @@ import { bundle, launch, open_page } from "./support.mjs";
 /** @typedef {import("../src/viewer/viewer").View} View */
 /** @typedef {import("../src/viewer/viewer").Surface} Surface */
 /** What the page of these tests holds, in its window. */
-/** @typedef {{ loopcheck: { Viewer: new (host: HTMLElement) => Viewer }, host: HTMLElement, viewer: Viewer, view: View, picked: number[],
+/** @typedef {{ loopcheck: { Viewer: new (host: HTMLElement) => Viewer }, host: HTMLElement, viewer: Viewer,
+ *   view: View, picked: number[],
  *   grid: (n: number, height?: (x: number, y: number) => number) => Surface, sphere: (n: number) => Surface,
  *   numbered: (count: number) => Uint8Array, next: () => Promise<void>,
  *   pixel: (x: number, y: number) => number[], show: (change: Partial<View>) => Promise<void> }} Room */
@@ -86,7 +88,8 @@ before(async () => {
     html = `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
         <style>:root { color-scheme: light dark; --accent: #0b5cad } ${style}
         #host { width: 800px; height: 600px }</style>
-        <div id="host"></div><script>${await bundle("src/viewer/viewer.ts", "loopcheck")}</script><script>${room}</script>`;
+        <div id="host"></div><script>${await bundle("src/viewer/viewer.ts", "loopcheck")}</script>
+        <script>${room}</script>`;
 });
 after(() => browser.close());
 
@@ -113,7 +116,7 @@ async function in_room(body, options) {
 }
 
 for (const deviceScaleFactor of [1, 2]) {
-    test(`a vertex has its colour, exactly, at ${deviceScaleFactor} device pixels a pixel`, () => in_room(async (page) => {
+    test(`a vertex has its colour, exactly, at ${deviceScaleFactor} device pixels each`, () => in_room(async (page) => {
         const seen = await within(page, async ({ sphere, numbered, show, viewer, pixel }) => {
             const subject = sphere(16);
             const count = subject.positions.length / 3;
@@ -126,7 +129,8 @@ for (const deviceScaleFactor of [1, 2]) {
             const away = ({ x, y }) => Math.hypot(x - 400, y - 300);
             const silhouette = Math.max(...places.map(({ at }) => away(at)));
             return places.filter(({ at }) => away(at) < 0.97 * silhouette)
-                .map(({ vertex, at }) => ({ seen: pixel(at.x, at.y), given: [...rgb.slice(3 * vertex, 3 * vertex + 3), 255] }));
+                .map(({ vertex, at }) =>
+                    ({ seen: pixel(at.x, at.y), given: [...rgb.slice(3 * vertex, 3 * vertex + 3), 255] }));
         });
         assert.ok(seen.length > 30, `${seen.length} of 258 vertices are visible`);
         for (const { seen: colour, given } of seen) assert.deepEqual(colour, given);
@@ -193,7 +197,7 @@ test("flying takes a while, but for those who want no motion", () => in_room(asy
     await page.waitForFunction(`Math.hypot(viewer.pixel_of(17).x - 400, viewer.pixel_of(17).y - 300) < 0.01`);
 }, { reducedMotion: "no-preference" }));
 
-test("subject and reference side by side, each with its own vertices under its own pixels", () => in_room(async (page) => {
+test("subject and reference side by side, each vertex under its own pixel", () => in_room(async (page) => {
     const result = await within(page, async ({ grid, numbered, show, viewer, pixel }) => {
         const rgb = numbered(36);
         await show({ subject: grid(6), reference: grid(6, (x, y) => 0.5 - x * x / 4 - y * y / 4),
@@ -221,6 +225,18 @@ test("subject and reference side by side, each with its own vertices under its o
         await page.mouse.click(8 + right.x, 8 + right.y);
     }
     assert.deepEqual(await within(page, ({ picked }) => picked), [14, 14, 15, 15, 20, 20, 21, 21]);
+}));
+
+test("what a whole view shows, two halves show, too", () => in_room(async (page) => {
+    const seen = await within(page, async ({ sphere, show, viewer }) => {
+        const subject = sphere(12);
+        await show({ subject });
+        const visible = () => Array.from({ length: 146 }, (_, vertex) => viewer.pixel_of(vertex).visible);
+        const whole = visible();
+        await show({ reference: subject, mode: "side-by-side" });
+        return [whole, visible()];
+    });
+    assert.deepEqual(seen[1], seen[0]);
 }));
 
 test("a click picks the vertex whose colour is there, a drag none", () => in_room(async (page) => {
@@ -287,6 +303,11 @@ test("the keyboard turns, moves, zooms, resets and picks", () => in_room(async (
     assert.ok(Math.hypot(middle.x - 400, middle.y - 300) < 60);
 }));
 
+test("the canvas has no barrier that axe finds", () => in_room(async (page) => {
+    await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core") });
+    assert.deepEqual(await page.evaluate("axe.run('#host').then((result) => result.violations)"), []);
+}));
+
 test("a hundred thousand vertices freeze the page for less than a second", () => in_room(async (page) => {
     const { longest, times } = await within(page, async ({ grid, show, numbered, viewer, next }) => {
         await show({});
@@ -316,6 +337,18 @@ test("a hundred thousand vertices freeze the page for less than a second", () =>
         await timed("selected", () => show({ selected: 50000 }));
         await timed("flown", () => {
             viewer.fly_to(50000);
+            return next();
+        });
+        await timed("reset", () => {
+            viewer.reset();
+            return show({ mode: "overlay", exaggeration: 1e6 });
+        });
+        // Where no face is, and from there the nearest of all vertices is looked for.
+        await timed("picked", () => {
+            for (let i = 0; i < 9; ++i) {
+                viewer.canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", shiftKey: true }));
+            }
+            viewer.canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter" }));
             return next();
         });
         await timed("rest", () => new Promise((done) => setTimeout(done, 100)));
@@ -433,7 +466,8 @@ test("the canvas follows the size of its host", () => in_room(async (page) => {
         host.style.height = "500px";
         await next();
         await show({ reference: grid(6), mode: "side-by-side" });
-        return { width: viewer.canvas.width, height: viewer.canvas.height, regions: viewer.regions().map(({ y }) => y) };
+        const { width, height } = viewer.canvas;
+        return { width, height, regions: viewer.regions().map(({ y }) => y) };
     });
     assert.deepEqual(size, { width: 300, height: 500, regions: [0, 250] });
 }));
@@ -449,7 +483,8 @@ test("lines take their colours from CSS, again when the colour scheme changes", 
         return [r, g, b_].map((byte) => 255 * byte / alpha);
     });
     /** @param {number[]} seen @param {number[]} given */
-    const near = (seen, given) => assert.ok(seen.every((byte, i) => Math.abs(byte - given[i]) < 3), `${seen}, not ${given}`);
+    const near = (seen, given) =>
+        assert.ok(seen.every((byte, i) => Math.abs(byte - given[i]) < 3), `${seen}, not ${given}`);
     near(await line(), [0x3d, 0x46, 0x4e]);
     await page.emulateMedia({ colorScheme: "dark" });
     near(await line(), [0xb5, 0xbf, 0xc8]);

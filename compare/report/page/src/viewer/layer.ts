@@ -220,7 +220,8 @@ export class Layer {
 
     /// The faces that are drawn.
     faces(): Uint32Array {
-        return this.contents === null ? new Uint32Array() : this.faces_of(this.contents.triangles, this.contents.placed);
+        return this.contents === null
+            ? new Uint32Array() : this.faces_of(this.contents.triangles, this.contents.placed);
     }
 
     loose(): Uint32Array {
