@@ -101,7 +101,7 @@ export class Viewer {
         this.canvas.setAttribute("aria-roledescription", "3D view");
         this.canvas.setAttribute("aria-keyshortcuts",
             "ArrowLeft ArrowRight ArrowUp ArrowDown Shift+ArrowLeft Shift+ArrowRight Shift+ArrowUp Shift+ArrowDown "
-            + "+ - 0 Enter");
+            + "Plus - 0 Enter");
         // Kept: a page that is printed shows what was drawn last.
         const wishes = { alpha: true, preserveDrawingBuffer: true };
         // Smooth edges cost a renderer without a graphics card most of its time.
@@ -378,7 +378,7 @@ export class Viewer {
 
     private readonly pointer_down = (event: PointerEvent): void => {
         // A second finger makes it a gesture.
-        this.press = this.press === null && event.button === 0
+        this.press = event.isPrimary && event.button === 0
             ? { id: event.pointerId, x: event.offsetX, y: event.offsetY } : null;
     };
 
