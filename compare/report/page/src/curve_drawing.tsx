@@ -58,26 +58,18 @@ export function geometry_of(chunk: Chunk<CurveCase>): Geometry {
     for (const points of framed)
         for (const x of points) if (Math.abs(x) < Infinity) largest = Math.max(largest, Math.abs(x));
     if (largest === 0) largest = 1;
-    const low = [Infinity, Infinity];
-    const high = [-Infinity, -Infinity];
-    for (const points of framed)
-        for (let i = 0; i < points.length; i += 3)
-            [across, up].forEach((axis, k) => {
-                const x = points[i + axis]! / largest;
-                if (!(Math.abs(x) <= 1)) return;
-                low[k] = Math.min(low[k]!, x);
-                high[k] = Math.max(high[k]!, x);
-            });
-    const width = high[0]! - low[0]!;
-    const height = high[1]! - low[1]!;
+    const ranges = [across, up].map((axis) => range_of(framed, axis, largest));
+    const [x_range, y_range] = [ranges[0]!, ranges[1]!];
+    const width = x_range.high - x_range.low;
+    const height = y_range.high - y_range.low;
     const fit = Math.min((kWidth - 2 * kMargin) / width, (kHeight - 2 * kMargin) / height);
     const scale = fit > 0 && fit < Infinity ? fit : 1;
-    const middle = [(low[0]! + high[0]!) / 2, (low[1]! + high[1]!) / 2];
+    const middle = { x: (x_range.low + x_range.high) / 2, y: (y_range.low + y_range.high) / 2 };
     const flat = (points: Float64Array): Flat => {
         const out = new Float64Array((points.length / 3) * 2);
         for (let i = 0; 3 * i < points.length; ++i) {
-            out[2 * i] = kWidth / 2 + (points[3 * i + across]! / largest - middle[0]!) * scale;
-            out[2 * i + 1] = kHeight / 2 - (points[3 * i + up]! / largest - middle[1]!) * scale;
+            out[2 * i] = kWidth / 2 + (points[3 * i + across]! / largest - middle.x) * scale;
+            out[2 * i + 1] = kHeight / 2 - (points[3 * i + up]! / largest - middle.y) * scale;
         }
         return out;
     };
@@ -90,35 +82,25 @@ export function geometry_of(chunk: Chunk<CurveCase>): Geometry {
     };
 }
 
+/// Of a coordinate over the largest; 0 where there is none.
+function range_of(all: Float64Array[], axis: number, largest: number): { low: number; high: number } {
+    let low = Infinity;
+    let high = -Infinity;
+    for (const points of all)
+        for (let i = axis; i < points.length; i += 3) {
+            const x = points[i]! / largest;
+            if (!(Math.abs(x) <= 1)) continue;
+            low = Math.min(low, x);
+            high = Math.max(high, x);
+        }
+    return low <= high ? { low, high } : { low: 0, high: 0 };
+}
+
 /// The polygon `factor` times as far from the curve; points outside the domain of the curve have no distance and are
 /// left out. The control polygon stays as it is.
 export function exaggerated({ level, points, on_curve }: Polygon, factor: number): Flat {
     if (factor === 1 || level === 0) return points;
     return points.map((x, i) => on_curve[i]! + factor * (x - on_curve[i]!));
-}
-
-function path_of(points: Flat, closed: boolean): string {
-    const parts: string[] = [];
-    for (let i = 0; i < points.length; i += 2) {
-        const [x, y] = [points[i]!, points[i + 1]!];
-        if (Math.abs(x) < Infinity && Math.abs(y) < Infinity) parts.push(`${coordinate(x)} ${coordinate(y)}`);
-    }
-    if (parts.length === 0) return "";
-    return `M${parts.join("L")}${closed ? "Z" : ""}`;
-}
-
-/// Zero-length lines, which round caps make dots of one size at every zoom.
-function dots_of(points: Flat): string {
-    const parts: string[] = [];
-    for (let i = 0; i < points.length; i += 2)
-        if (Number.isFinite(points[i]!) && Number.isFinite(points[i + 1]!))
-            parts.push(`M${coordinate(points[i]!)} ${coordinate(points[i + 1]!)}h0`);
-    return parts.join("");
-}
-
-/// Exact to a thousandth of what the largest zoom shows.
-function coordinate(x: number): string {
-    return String(Math.round(x * 1e6) / 1e6);
 }
 
 /// A point p of the page stands at zoom p + (x, y).
@@ -128,12 +110,109 @@ interface View {
     y: number;
 }
 
-const kWhole: View = { zoom: 1, x: 0, y: 0 };
-
 interface Point {
     x: number;
     y: number;
 }
+
+/// Points nearer than this to the one before are not drawn, and if there are still too many, twice as far, and so on: a
+/// hundred thousand take a renderer without a graphics card a minute.
+const kUnseen = 0.5;
+const kMostDrawn = 5000;
+
+/// The path of what is in sight, or nearly.
+function path_of(points: Flat, closed: boolean, view: View): string {
+    let tolerance = kUnseen;
+    let kept = thinned(seen(points, closed, view), tolerance);
+    let segments = in_sight(kept);
+    while (segments.length > kMostDrawn) {
+        tolerance *= 2;
+        kept = thinned(kept, tolerance);
+        segments = in_sight(kept);
+    }
+    let end: Point | undefined;
+    let path = "";
+    for (const [a, b] of segments) {
+        if (end?.x !== a.x || end.y !== a.y) path += `M${coordinates(a)}`;
+        path += `L${coordinates(b)}`;
+        end = b;
+    }
+    return path;
+}
+
+/// The finite points where they are seen; of a closed polygon the first again at the end.
+function seen(points: Flat, closed: boolean, view: View): Flat {
+    const out = new Float64Array(points.length + 2);
+    let count = 0;
+    for (let i = 0; i < points.length; i += 2) {
+        const x = view.zoom * points[i]! + view.x;
+        const y = view.zoom * points[i + 1]! + view.y;
+        if (!(Math.abs(x) < Infinity && Math.abs(y) < Infinity)) continue;
+        out[count++] = x;
+        out[count++] = y;
+    }
+    if (closed && count > 0) {
+        out[count++] = out[0]!;
+        out[count++] = out[1]!;
+    }
+    return out.subarray(0, count);
+}
+
+/// Without points that are nearer to the one before; the last stays.
+function thinned(points: Flat, tolerance: number): Flat {
+    const out = new Float64Array(points.length);
+    let count = 0;
+    for (let i = 0; i < points.length; i += 2) {
+        const [dx, dy] = [points[i]! - out[count - 2]!, points[i + 1]! - out[count - 1]!];
+        if (dx * dx + dy * dy < tolerance * tolerance && i < points.length - 2) continue;
+        out[count++] = points[i]!;
+        out[count++] = points[i + 1]!;
+    }
+    return out.subarray(0, count);
+}
+
+/// Beyond the edges of the page, so that no end is seen.
+const kOutside = 100;
+
+/// The parts of the segments between these points that are near the page.
+function in_sight(points: Flat): [Point, Point][] {
+    const out: [Point, Point][] = [];
+    for (let i = 2; i < points.length; i += 2) {
+        const a = { x: points[i - 2]!, y: points[i - 1]! };
+        const b = { x: points[i]!, y: points[i + 1]! };
+        const across = part_between(a.x, b.x, kWidth);
+        const up = part_between(a.y, b.y, kHeight);
+        const [first, last] = [Math.max(across[0], up[0]), Math.min(across[1], up[1])];
+        if (!(first <= last)) continue;
+        const at = (t: number) => ({ x: a.x + t * (b.x - a.x), y: a.y + t * (b.y - a.y) });
+        out.push([first === 0 ? a : at(first), last === 1 ? b : at(last)]);
+    }
+    return out;
+}
+
+/// The parts of the way from a to b where it is near [0, high]; the first is larger if it never is.
+function part_between(a: number, b: number, high: number): [number, number] {
+    const [low_at, high_at] = [(-kOutside - a) / (b - a), (high + kOutside - a) / (b - a)];
+    if (a === b) return [0, a >= -kOutside && a <= high + kOutside ? 1 : -1];
+    return [Math.max(0, Math.min(low_at, high_at)), Math.min(1, Math.max(low_at, high_at))];
+}
+
+/// Lines without length, which round caps make dots.
+function dots_of(points: Flat, view: View): string {
+    const dots = seen(points, false, view);
+    let path = "";
+    for (let i = 0; i < dots.length; i += 2) {
+        const p = { x: dots[i]!, y: dots[i + 1]! };
+        if (Math.abs(p.x) < 2 * kWidth && Math.abs(p.y) < 2 * kHeight) path += `M${coordinates(p)}h0`;
+    }
+    return path;
+}
+
+function coordinates({ x, y }: Point): string {
+    return `${Math.round(1000 * x) / 1000} ${Math.round(1000 * y) / 1000}`;
+}
+
+const kWhole: View = { zoom: 1, x: 0, y: 0 };
 
 function zoomed(view: View, factor: number, at: Point): View {
     const zoom = Math.min(kMostZoom, Math.max(kLeastZoom, view.zoom * factor));
@@ -220,13 +299,11 @@ export function CurveDrawing({ chunk }: { chunk: Chunk<CurveCase> }) {
                     <output class="factor">{`× ${short(factor)}`}</output>
                 </label>
             </div>
-            <Pane set_view={set_view} fit={fit} label={label}>
-                <g transform={`translate(${view.x} ${view.y}) scale(${view.zoom})`}>
-                    {shown.has("exact") && <Line part="exact" points={geometry.exact} closed={false} />}
-                    {drawn.map((p) => (
-                        <Line key={p.level} part={part_of(p)} points={p.points} closed={geometry.closed} />
-                    ))}
-                </g>
+            <Pane view={view} set_view={set_view} fit={fit} label={label}>
+                {shown.has("exact") && <Line part="exact" points={geometry.exact} closed={false} view={view} />}
+                {drawn.map((p) => (
+                    <Line key={p.level} part={part_of(p)} points={p.points} closed={geometry.closed} view={view} />
+                ))}
                 <ScaleBar per_unit={geometry.unit / view.zoom} />
             </Pane>
         </div>
@@ -260,9 +337,9 @@ function toggled(parts: ReadonlySet<Part>, part: Part): Set<Part> {
     return out;
 }
 
-function Line({ part, points, closed }: { part: Part; points: Flat; closed: boolean }) {
-    const path = useMemo(() => path_of(points, closed), [points, closed]);
-    const dots = useMemo(() => (part !== "exact" && points.length <= 2 * kMostDots ? dots_of(points) : ""), [points]);
+function Line({ part, points, closed, view }: { part: Part; points: Flat; closed: boolean; view: View }) {
+    const path = useMemo(() => path_of(points, closed, view), [points, closed, view]);
+    const dots = part !== "exact" && points.length <= 2 * kMostDots ? dots_of(points, view) : "";
     const { stroke } = stroke_of(part);
     return (
         <g data-part={part}>
@@ -287,6 +364,7 @@ function ScaleBar({ per_unit }: { per_unit: number }) {
 }
 
 interface PaneProps {
+    view: View;
     set_view: (change: (view: View) => View) => void;
     fit: () => void;
     label: string;
@@ -296,7 +374,7 @@ interface PaneProps {
 const kMiddle: Point = { x: kWidth / 2, y: kHeight / 2 };
 
 /// What mouse, touch and keyboard do to the view.
-function Pane({ set_view, fit, label, children }: PaneProps) {
+function Pane({ view, set_view, fit, label, children }: PaneProps) {
     const pane = useRef<HTMLDivElement>(null);
     const svg = useRef<SVGSVGElement>(null);
     const pointers = useRef(new Map<number, Point>());
@@ -357,7 +435,8 @@ function Pane({ set_view, fit, label, children }: PaneProps) {
                 onPointerUp={forget}
                 onPointerCancel={forget}
             >
-                <svg ref={svg} viewBox={`0 0 ${kWidth} ${kHeight}`} role="img" aria-label={label}>
+                <svg ref={svg} viewBox={`0 0 ${kWidth} ${kHeight}`} role="img" aria-label={label}
+                    data-view={`${view.x} ${view.y} ${view.zoom}`}>
                     {children}
                 </svg>
             </div>

@@ -255,7 +255,7 @@ export interface ComparisonJson {
         verdict: VerdictName;
         notes: string[];
         deviations: { name: string; kind: string; subject: string; vertices: number }[];
-        levels: LevelJson<{ class: string; position: ClassJson; normal: unknown }, LimitWorstJson>[];
+        levels: LevelJson<{ class: string; position: Omit<ClassJson, "class">; normal: unknown }, LimitWorstJson>[];
     };
 }
 export interface SurfaceJson {

@@ -31,8 +31,8 @@ async function points(section, part) {
 
 /** @param {string} section */
 async function view(section) {
-    const transform = await page.locator(`${section} .curve-drawing svg > g`).first().getAttribute("transform");
-    const [x, y, zoom] = transform?.match(/-?[\d.]+(e-?\d+)?/g)?.map(Number) ?? [];
+    const text = await page.locator(`${section} .curve-drawing svg`).getAttribute("data-view");
+    const [x, y, zoom] = text?.split(" ").map(Number) ?? [];
     return { x: x ?? NaN, y: y ?? NaN, zoom: zoom ?? NaN };
 }
 
@@ -45,8 +45,8 @@ test("every part is drawn with the points of the file, in proportion", async () 
         const [a, b, c] = await points(section, "control");
         assert.ok(a && b && c);
         // (0, 0), (1, 2), (3, 2), y up.
-        assert.ok(Math.abs((c.x - b.x) / (b.x - a.x) - 2) < 1e-4);
-        assert.ok(Math.abs((a.y - b.y) / (b.x - a.x) - 2) < 1e-4);
+        assert.ok(Math.abs((c.x - b.x) / (b.x - a.x) - 2) < 1e-3);
+        assert.ok(Math.abs((a.y - b.y) / (b.x - a.x) - 2) < 1e-3);
     }
 });
 
@@ -74,8 +74,8 @@ test("the slider moves levels away from the curve, and leaves out what is outsid
     // An eighth of a unit from the curve, and then ten times as much.
     const unit = (control[1]?.x ?? NaN) - (control[0]?.x ?? NaN);
     now.forEach((p, i) => {
-        assert.ok(Math.abs(p.x - (before[i + 1]?.x ?? NaN)) < 1e-4);
-        assert.ok(Math.abs((before[i + 1]?.y ?? NaN) - p.y - 9 / 8 * unit) < 1e-3);
+        assert.ok(Math.abs(p.x - (before[i + 1]?.x ?? NaN)) < 2e-3);
+        assert.ok(Math.abs((before[i + 1]?.y ?? NaN) - p.y - 9 / 8 * unit) < 5e-3);
     });
     await page.keyboard.press("Home");
     assert.deepEqual(await points("#curve", 1), before);
@@ -83,9 +83,11 @@ test("the slider moves levels away from the curve, and leaves out what is outsid
 
 test("the keyboard moves and zooms the drawing", async () => {
     const pane = page.locator("#curve .curve-drawing");
+    const before = (await points("#curve", "control"))[0]?.x ?? NaN;
     await pane.focus();
     await page.keyboard.press("ArrowLeft");
     assert.deepEqual(await view("#curve"), { x: 40, y: 0, zoom: 1 });
+    assert.ok(Math.abs(((await points("#curve", "control"))[0]?.x ?? NaN) - before - 40) < 2e-3);
     await page.keyboard.press("+");
     assert.equal((await view("#curve")).zoom, 1.25);
     await page.keyboard.press("0");
@@ -109,8 +111,7 @@ test("the mouse moves the drawing, and its wheel zooms about the mouse once it h
     assert.ok(Math.abs(moved.x - 60 * scale) < 0.01 && Math.abs(moved.y - 30 * scale) < 0.01);
     const at = { x: (x + 60 - box.x - 1) * scale, y: (y + 30 - box.y - 1) * scale };
     await page.mouse.wheel(0, -100);
-    await page.waitForFunction((before) => !document.querySelector("#huge .curve-drawing svg > g")
-        ?.getAttribute("transform")?.endsWith(before), `scale(${moved.zoom})`);
+    await page.locator("#huge .curve-drawing svg[data-view$=' 1.25']").waitFor();
     const now = await view("#huge");
     assert.equal(now.zoom, 1.25);
     assert.ok(Math.abs((at.x - now.x) / now.zoom - (at.x - moved.x) / moved.zoom) < 0.01);

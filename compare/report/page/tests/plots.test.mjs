@@ -72,7 +72,8 @@ test("what is beyond its bound is above the dashed line and has a ring; what is 
 
 test("limits have a plot of their own", async () => {
     assert.equal(await page.locator("#errors figure").count(), 2);
-    assert.equal((await dots("#errors figure:nth-of-type(2)")).length, 1);
+    const marks = await dots("#errors figure:nth-of-type(2)");
+    assert.deepEqual(marks.map((mark) => mark.title), ["dart, level 0: 0.25, bound 2"]);
 });
 
 test("every plot has a title, a sentence, a label and its numbers as a table", async () => {

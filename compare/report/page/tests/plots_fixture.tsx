@@ -13,10 +13,13 @@ interface Numbers {
     not_finite?: number;
 }
 
-function class_of(name: string, { max, bound, beyond = 0, not_finite = 0 }: Numbers): ClassJson {
+function class_of(name: string, numbers: Numbers): ClassJson {
+    return { class: name, ...numbers_of(numbers) };
+}
+
+function numbers_of({ max, bound, beyond = 0, not_finite = 0 }: Numbers): Omit<ClassJson, "class"> {
     const error = { identical: max === 0 ? 3 : 0, not_finite, max, mean: max, rms: max, max_in_uM: max };
     return {
-        class: name,
         vertices: 3,
         difference: error,
         subject_error: error,
@@ -55,9 +58,7 @@ function comparison_of(): ComparisonJson {
                 {
                     level: 0,
                     verdict: "within rounding",
-                    classes: [
-                        { class: "dart", position: class_of("dart", { max: 0.25, bound: 2 }), normal: null },
-                    ],
+                    classes: [{ class: "dart", position: numbers_of({ max: 0.25, bound: 2 }), normal: null }],
                     worst: [],
                 },
             ],

@@ -55,7 +55,8 @@ export function launch() {
 }
 
 /**
- * A page from a file: errors and warnings of its console, and requests for anything else, are collected in `complaints`.
+ * A page from a file. Errors and warnings of its console, and requests for anything else, are collected in
+ * `complaints`.
  * @param {import("playwright-core").Browser} browser
  * @param {string} html
  * @param {import("playwright-core").BrowserContextOptions} [options]

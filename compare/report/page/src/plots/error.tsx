@@ -16,7 +16,11 @@ interface ClassLevel {
 /// Of the refinement, and of limits where they were compared.
 export function ErrorPlot({ comparison }: { comparison: ComparisonJson }) {
     const limits = useMemo(
-        () => comparison.limits?.levels.map(({ level, classes }) => ({ level, classes: classes.map((c) => c.position) })),
+        () =>
+            comparison.limits?.levels.map(({ level, classes }) => ({
+                level,
+                classes: classes.map((c) => ({ ...c.position, class: c.class })),
+            })),
         [comparison],
     );
     return (

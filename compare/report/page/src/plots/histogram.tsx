@@ -9,8 +9,9 @@ const kHeight = 260;
 /// Decades a bin: the first with which there are not too many.
 const kSteps = [0.5, 1, 2, 5, 10, 20, 50, 100] as const;
 const kMostBins = 30;
-/// Bins beside each other on which a count has place.
-const kMostCounts = 16;
+const kMargin = { marginLeft: 64, marginRight: 12, marginTop: 28, marginBottom: 40 };
+/// Pixels of a digit.
+const kDigit = 7;
 
 interface Bins {
     identical: number;
@@ -55,7 +56,7 @@ interface HistogramProps {
 export function Histogram({ values, title, unit }: HistogramProps) {
     const bins = useMemo(() => bins_of(values), [values]);
     const bars = useMemo(() => bars_of(bins, unit), [bins, unit]);
-    const draw = useMemo(() => () => options_of(bins, bars, unit), [bins, bars, unit]);
+    const draw = useMemo(() => (width: number) => options_of(bins, bars, unit, width), [bins, bars, unit]);
     const reading = reading_of(bins, values.length, unit);
     const rows = bars.map((bar) => [bar.name, String(bar.count)]);
     return (
@@ -97,7 +98,7 @@ function bars_of({ identical, not_finite, step, first, counts }: Bins, unit: str
     ];
 }
 
-function options_of(bins: Bins, bars: Bar[], unit: string): Plot.PlotOptions {
+function options_of(bins: Bins, bars: Bar[], unit: string, width: number): Plot.PlotOptions {
     const { step, first, counts } = bins;
     const apart = [bars[0]!, ...(bins.not_finite > 0 ? [bars.at(-1)!] : [])];
     const centre = (bar: Bar) => (bar.x1 + bar.x2) / 2;
@@ -106,13 +107,13 @@ function options_of(bins: Bins, bars: Bar[], unit: string): Plot.PlotOptions {
     const decades = edges.filter((i) => Number.isInteger(first + i * step));
     const every = Math.ceil(decades.length / 10);
     const most = Math.max(1, ...bars.map((bar) => bar.count));
+    const left = -2.5;
     const right = Math.max(counts.length, 1) + (bins.not_finite > 0 ? 2.5 : 0.5);
+    const bar_width = (width - kMargin.marginLeft - kMargin.marginRight) / (right - left);
+    const counts_fit = kDigit * grouped(most).length < bar_width;
     return {
-        marginLeft: 64,
-        marginRight: 12,
-        marginTop: 28,
-        marginBottom: 40,
-        x: { domain: [-2.5, right], label: null },
+        ...kMargin,
+        x: { domain: [left, right], label: null },
         y: { type: "symlog", domain: [0, most], label: null },
         marks: [
             Plot.gridY(count_ticks(most), { stroke: "var(--line)", strokeOpacity: 1 }),
@@ -143,7 +144,7 @@ function options_of(bins: Bins, bars: Bar[], unit: string): Plot.PlotOptions {
                 title: (bar: Bar) => `${bar.name}: ${bar.count}`,
                 className: "bars",
             }),
-            Plot.text(bars.length <= kMostCounts ? bars.filter((bar) => bar.count > 0) : apart, {
+            Plot.text(counts_fit ? bars.filter((bar) => bar.count > 0) : apart, {
                 x: centre,
                 y: "count",
                 text: (bar: Bar) => grouped(bar.count),

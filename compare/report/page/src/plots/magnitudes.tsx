@@ -176,7 +176,7 @@ function options_of(props: MagnitudesProps, shown: Shown, width: number): Plot.P
                 stroke: "series", strokeOpacity: 0.35, className: "lines" }),
             Plot.dot(marks, { x: "x", y: "y", fill: "series", symbol: "series", r: kRadius, title: "title",
                 className: "dots" }),
-            Plot.dot(marks.filter((m) => m.beyond), { x: "x", y: "y", r: kRadius + 4, stroke: "var(--bad)",
+            Plot.dot(marks.filter((m) => m.beyond), { x: "x", y: "y", r: kRadius + 3, stroke: "var(--bad)",
                 strokeWidth: 1.5, className: "beyond" }),
         ],
     };
