@@ -44,6 +44,7 @@ const kRamp: readonly Rgb[] = Array.from({ length: kRampColours },
 
 export const kIdentical: Rgb = from_hex("#e4e6ea");
 export const kNotFinite: Rgb = from_hex("#ff00ff");
+export const kNotCompared: Rgb = from_hex("#8d9196");
 
 export interface Tick {
     /// 0 at the least value of the scale, 1 at its largest.
@@ -59,7 +60,7 @@ function decade_label(exponent: number): string {
 }
 
 /// Magnitudes from `least` to `largest`, both positive and finite, on whole decades and logarithmic. Whatever is
-/// outside has the colour of the end; 0, and what is no finite magnitude, have colours of their own.
+/// outside has the colour of the end; 0, what is not finite, and NaN, where nothing was compared, have colours of their own.
 export class ErrorScale implements Scale {
     readonly unit: string;
     /// Exponents of its ends; null where there is no positive value, and then nothing is on the ramp.
@@ -91,6 +92,7 @@ export class ErrorScale implements Scale {
 
     colour_of(value: number): Rgb {
         if (value === 0) return kIdentical;
+        if (Number.isNaN(value)) return kNotCompared;
         if (!(value > 0 && value < Infinity)) return kNotFinite;
         return this.ramp(this.decades === null ? 1 : this.part(Math.log10(value)));
     }
@@ -114,7 +116,8 @@ export class ErrorScale implements Scale {
 
     /// What is not on the ramp.
     swatches(): Swatch[] {
-        return [{ colour: kIdentical, label: "identical" }, { colour: kNotFinite, label: "not finite" }];
+        return [{ colour: kIdentical, label: "identical" }, { colour: kNotFinite, label: "not finite" },
+            { colour: kNotCompared, label: "not compared" }];
     }
 
     private part(exponent: number): number {

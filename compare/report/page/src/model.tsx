@@ -159,13 +159,13 @@ function MeshPage({ report, chunk, summary, result }: {
                     </div>
                     <div class="side">
                         <VertexForm level={level} selected={selected} on_go={go_to} />
-                        {selected === null ? <p class="muted">Click a vertex, type its number, or take one of these:</p> : (
+                        <WorstVertices level={level} layers={layers} layer={layer} selected={selected} on_go={go_to} />
+                        {selected === null ? <p class="muted">Click a vertex, type its number, or take one of the worst.</p> : (
                             <VertexDetails
                                 chunk={chunk} level={level} comparison={comparison} points={shown_points}
                                 vertex={selected} deviations={report.deviations}
                             />
                         )}
-                        <WorstVertices level={level} layers={layers} layer={layer} selected={selected} on_go={go_to} />
                     </div>
                 </div>
             )}

@@ -1,4 +1,6 @@
 // Everything that is known of one vertex.
+import type { ComponentChildren } from "preact";
+
 import type { Chunk } from "./chunk";
 import type { Case, ComparisonJson, DeviationInfo } from "./format";
 import { type Ancestor, type MeshLevel, point, type Points } from "./mesh_level";
@@ -92,34 +94,45 @@ function Positions({ level, points, vertex }: { level: MeshLevel; points: Points
     const all = points === "limit" ? (level.level.limits?.positions ?? []) : level.level.positions;
     const exact = level.exact(points);
     return (
-        <table class="positions">
-            <caption>{points === "limit" ? "Limit positions" : "Positions"}</caption>
+        <PointTable caption={points === "limit" ? "Limit positions" : "Positions"}>
+            {all.map(({ subject }) => {
+                const own = level.own_index(subject, vertex);
+                const positions = level.positions(subject, points);
+                return positions && (
+                    <PointRows key={subject} who={own === vertex ? subject : `${subject}: its vertex ${own}`}
+                        p={point(positions, vertex)} />
+                );
+            })}
+            {exact !== null && <PointRows who="exact" p={point(exact, vertex)} />}
+        </PointTable>
+    );
+}
+
+function PointTable({ caption, children }: { caption: string; children: ComponentChildren }) {
+    return (
+        <table class="points">
+            <caption>{caption}</caption>
             <thead>
-                <tr><th scope="col">of</th><th scope="col">x</th><th scope="col">y</th><th scope="col">z</th></tr>
+                <tr><th scope="col" colSpan={2}>of</th><th scope="col">decimal</th><th scope="col">hexadecimal</th></tr>
             </thead>
-            <tbody>
-                {all.map(({ subject }) => {
-                    const own = level.own_index(subject, vertex);
-                    const positions = level.positions(subject, points);
-                    return positions && (
-                        <PointRow key={subject} who={own === vertex ? subject : `${subject} (its ${own})`}
-                            p={point(positions, vertex)} />
-                    );
-                })}
-                {exact !== null && <PointRow who="exact" p={point(exact, vertex)} />}
-            </tbody>
+            {children}
         </table>
     );
 }
 
-function PointRow({ who, p }: { who: string; p: [number, number, number] }) {
+/// A line a coordinate.
+function PointRows({ who, p }: { who: string; p: [number, number, number] }) {
     return (
-        <tr data-who={who}>
-            <th scope="row">{who}</th>
+        <tbody data-who={who}>
             {p.map((x, i) => (
-                <td key={i}>{String(x)}<br /><code>{hexfloat(x)}</code></td>
+                <tr key={i}>
+                    {i === 0 && <th scope="rowgroup" rowSpan={3}>{who}</th>}
+                    <th scope="row">{"xyz"[i]}</th>
+                    <td>{String(x)}</td>
+                    <td><code>{hexfloat(x)}</code></td>
+                </tr>
             ))}
-        </tr>
+        </tbody>
     );
 }
 
@@ -129,19 +142,13 @@ function Normals({ level, comparison, vertex }: { level: MeshLevel; comparison: 
     const exact = level.exact_normals();
     return (
         <>
-            <table class="positions">
-                <caption>Normals</caption>
-                <thead>
-                    <tr><th scope="col">of</th><th scope="col">x</th><th scope="col">y</th><th scope="col">z</th></tr>
-                </thead>
-                <tbody>
-                    {(level.level.limits?.positions ?? []).map(({ subject }) => {
-                        const normals = level.normals(subject);
-                        return normals && <PointRow key={subject} who={subject} p={point(normals, vertex)} />;
-                    })}
-                    {exact !== null && <PointRow who="exact" p={point(exact, vertex)} />}
-                </tbody>
-            </table>
+            <PointTable caption="Normals">
+                {(level.level.limits?.positions ?? []).map(({ subject }) => {
+                    const normals = level.normals(subject);
+                    return normals && <PointRows key={subject} who={subject} p={point(normals, vertex)} />;
+                })}
+                {exact !== null && <PointRows who="exact" p={point(exact, vertex)} />}
+            </PointTable>
             <p class="muted">
                 {Number.isNaN(angle) ? "There is no normal here to compare."
                     : `The normals are ${short(angle)}\u00b0 apart; rounding explains ${short(bound)}\u00b0.`}

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { import_ts } from "./support.mjs";
 
-const { ClassScale, ErrorScale, colours_of, kIdentical, kNone, kNotFinite } = await import_ts("src/colours.ts");
+const { ClassScale, ErrorScale, colours_of, kIdentical, kNone, kNotCompared, kNotFinite } = await import_ts("src/colours.ts");
 const { appearance, distance } = await import_ts("src/vision.ts");
 
 /** @typedef {readonly [number, number, number]} Rgb */
@@ -39,12 +39,13 @@ test("ErrorScale gives its ends to what is outside", () => {
 test("ErrorScale has one colour for identical, and one for all that is no finite magnitude", () => {
     const scale = new ErrorScale({ least: 1, largest: 100 }, "u M");
     for (const zero of [0, -0]) assert.deepEqual(scale.colour_of(zero), kIdentical);
-    for (const wrong of [NaN, Infinity, -Infinity, -1]) assert.deepEqual(scale.colour_of(wrong), kNotFinite);
+    for (const wrong of [Infinity, -Infinity, -1]) assert.deepEqual(scale.colour_of(wrong), kNotFinite);
+    assert.deepEqual(scale.colour_of(NaN), kNotCompared);
 });
 
 test("ErrorScale keeps its two own colours away from the ramp, for every eye", () => {
     const scale = new ErrorScale({ least: 1, largest: 100 }, "u M");
-    for (const own of [kIdentical, kNotFinite]) {
+    for (const own of [kIdentical, kNotFinite, kNotCompared]) {
         for (let part = 0; part <= 1; part += 1 / 256) {
             const to_ramp = apart(own, scale.ramp(part));
             assert.ok(to_ramp > 0.1, `${own} is ${to_ramp} from ${scale.ramp(part)}`);
@@ -59,7 +60,7 @@ test("ErrorScale works without values, with one, and with all the same", () => {
         assert.equal(scale.decades, null);
         assert.deepEqual(scale.ticks(), []);
         assert.deepEqual(scale.colour_of(0), kIdentical);
-        assert.deepEqual(scale.colour_of(NaN), kNotFinite);
+        assert.deepEqual(scale.colour_of(NaN), kNotCompared);
         assert.equal(scale.colour_of(1).length, 3);
     }
     for (const value of [5e-324, 1e-16, 1, 3, 1.7976931348623157e308]) {
@@ -112,5 +113,5 @@ test("ClassScale tells many classes apart, for every eye", () => {
 test("colours_of writes three bytes a value", () => {
     const scale = new ErrorScale({ least: 1, largest: 100 }, "u M");
     const rgb = colours_of(scale, Float32Array.of(0, 7, NaN));
-    assert.deepEqual([...rgb], [...kIdentical, ...scale.colour_of(7), ...kNotFinite]);
+    assert.deepEqual([...rgb], [...kIdentical, ...scale.colour_of(7), ...kNotCompared]);
 });
