@@ -8,9 +8,11 @@ namespace loopcheck::compare {
 namespace {
 
 #ifdef LOOPCHECK_HAS_PAGE
-constexpr std::string_view kPage =
+// An array first: the length of a literal this long is too much for the compiler to count in a constant expression.
+constexpr char kPageText[] =
 #include "page.inc"
     ;
+constexpr std::string_view kPage(kPageText, sizeof kPageText - 1);
 constexpr std::string_view kWhyNoPage;
 #else
 constexpr std::string_view kPage = "<!--chunks-->";

@@ -139,7 +139,9 @@ let candidates: Candidate[] | null = null;
 
 function approach(chosen: Rgb): void {
     const looks = appearance(chosen);
-    for (const candidate of candidates ?? []) candidate.apart = Math.min(candidate.apart, distance(candidate.looks, looks));
+    for (const candidate of candidates ?? []) {
+        candidate.apart = Math.min(candidate.apart, distance(candidate.looks, looks));
+    }
 }
 
 /// 512 colours less the nearly black and the nearly white ones, which are lost on a page.
@@ -147,7 +149,7 @@ function all_candidates(): Candidate[] {
     const steps = [0, 36, 73, 109, 146, 182, 219, 255];
     const colours = steps.flatMap((r) => steps.flatMap((g) => steps.map((b): Rgb => [r, g, b])));
     return colours
-        .filter((colour) => lightness(colour) > 0.3 && lightness(colour) < 0.95)
+        .filter((colour) => lightness(colour) > 0.4 && lightness(colour) < 0.95)
         .map((colour) => ({ colour, looks: appearance(colour), apart: Infinity }));
 }
 

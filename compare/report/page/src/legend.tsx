@@ -3,6 +3,7 @@ import { css, ErrorScale } from "./colours";
 import type { ClassScale, Swatch } from "./colours";
 
 const kRampSteps = 64;
+const kNothing = "no positive value";
 
 /// Drawn, and not a background: browsers print no backgrounds.
 function Patch({ swatch }: { swatch: Swatch }) {
@@ -20,10 +21,13 @@ function Ramp({ scale }: { scale: ErrorScale }) {
         <div class="ramp" aria-hidden="true">
             <svg viewBox={`0 0 ${kRampSteps} 1`} preserveAspectRatio="none">
                 {scale.decades !== null && steps.map((i) => (
-                    <rect key={i} x={i} width={kRampSteps - i} height="1" fill={css(scale.ramp((i + 0.5) / kRampSteps))} />
+                    // To the end, under those that follow: no seam shows.
+                    <rect key={i} x={i} width={kRampSteps - i} height="1"
+                        fill={css(scale.ramp((i + 0.5) / kRampSteps))} />
                 ))}
             </svg>
             <div class="ticks">
+                {scale.decades === null && kNothing}
                 {scale.ticks().map((tick) => (
                     <span key={tick.label} style={{ left: `${100 * tick.at}%` }}>{tick.label}</span>
                 ))}
@@ -35,7 +39,7 @@ function Ramp({ scale }: { scale: ErrorScale }) {
 function spoken_range(scale: ErrorScale): string {
     const ticks = scale.ticks(2);
     return ticks.length === 0
-        ? "no positive value"
+        ? kNothing
         : `from dark, ${ticks[0]!.label} ${scale.unit}, to bright, ${ticks.at(-1)!.label} ${scale.unit}`;
 }
 

@@ -1,5 +1,6 @@
 // What tests of the page share.
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { execFileSync } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -54,7 +55,8 @@ export function launch() {
 }
 
 /**
- * A page from a file: errors and warnings of its console, and requests for anything else, are collected in `complaints`.
+ * A page from a file. Errors and warnings of its console, and requests for anything else, are collected in
+ * `complaints`.
  * @param {import("playwright-core").Browser} browser
  * @param {string} html
  * @param {import("playwright-core").BrowserContextOptions} [options]
@@ -87,4 +89,16 @@ export async function open_page(browser, html, options = {}) {
             await rm(folder, { recursive: true });
         },
     };
+}
+
+/** The page without a report in it. */
+export async function bundled_page() {
+    const folder = await mkdtemp(join(tmpdir(), "loopcheck-page-"));
+    try {
+        const output = join(folder, "page.html");
+        execFileSync(process.execPath, [join(page_folder, "build.mjs"), output]);
+        return await readFile(output, "utf8");
+    } finally {
+        await rm(folder, { recursive: true });
+    }
 }

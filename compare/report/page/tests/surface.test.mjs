@@ -1,90 +1,94 @@
-// The parts of a limit page, in a browser.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { dots_of, open_fixture } from "./rendered.mjs";
+import { import_ts } from "./support.mjs";
 
-/** @type {Awaited<ReturnType<typeof open_fixture>>} */
-let fixture;
-/** @type {import("playwright-core").Page} */
-let page;
+const { edges_of } = await import_ts("src/viewer/edges.ts");
+const { faces_with_place, frame_of, loose_vertices, place, place_exaggerated } = await import_ts("src/viewer/surface.ts");
+const { around, first_hit } = await import_ts("src/viewer/rays.ts");
 
-before(async () => {
-    fixture = await open_fixture("surface_fixture.tsx");
-    page = fixture.page;
+/** @param {Uint32Array} pairs */
+const listed = (pairs) => Array.from({ length: pairs.length / 2 }, (_, i) => `${pairs[2 * i]}-${pairs[2 * i + 1]}`);
+
+test("edges are listed once, and those of one face as the boundary", () => {
+    const square = edges_of(Uint32Array.of(0, 1, 2, 2, 1, 3), 4);
+    assert.deepEqual(listed(square.all), ["0-1", "0-2", "1-2", "1-3", "2-3"]);
+    assert.deepEqual(listed(square.boundary), ["0-1", "0-2", "1-3", "2-3"]);
+    const pillow = edges_of(Uint32Array.of(0, 1, 2, 0, 2, 1), 3);
+    assert.deepEqual(listed(pillow.all), ["0-1", "0-2", "1-2"]);
+    assert.equal(pillow.boundary.length, 0);
+    assert.equal(edges_of(new Uint32Array(), 0).all.length, 0);
 });
 
-after(() => fixture.close());
-
-/** @param {string} way @param {number} column */
-async function cells(way, column) {
-    return page.locator(`section[aria-label='${way}'] tbody tr`).evaluateAll((rows, column) =>
-        rows.map((row) => row.children[column]?.textContent ?? ""), column);
-}
-
-test("ways that differ come first, those without anything last, and beyond its bound a class is on top", async () => {
-    assert.deepEqual(await page.locator("section.way h3").allTextContents(), ["patch-box", "bfr", "patch-linear"]);
-    assert.deepEqual(await cells("patch-box", 0), ["interior 5", "<script>", "regular"]);
-    assert.deepEqual(await cells("bfr", 0), ["regular", "interior 5", "interior 12"]);
+test("the edges of 200 000 faces take less than a second", () => {
+    const n = 317;
+    const faces = [];
+    for (let j = 0; j + 1 < n; ++j) {
+        for (let i = 0; i + 1 < n; ++i) {
+            const v = n * j + i;
+            faces.push(v, v + 1, v + n, v + 1, v + n + 1, v + n);
+        }
+    }
+    const triangles = Uint32Array.from(faces);
+    const start = performance.now();
+    const { all, boundary } = edges_of(triangles, n * n);
+    const time = performance.now() - start;
+    assert.equal(all.length / 2, (triangles.length + 4 * (n - 1)) / 2);
+    assert.equal(boundary.length / 2, 4 * (n - 1));
+    assert.ok(time < 1000, `${time} ms`);
 });
 
-test("the button of a column sorts every table by keyboard: down, up, and as they came", async () => {
-    const header = page.locator("section[aria-label='bfr'] thead th").filter({ hasText: "position error" });
-    const button = header.locator("button");
-    assert.equal(await header.getAttribute("aria-sort"), "none");
-    await button.focus();
-    await page.keyboard.press("Enter");
-    assert.equal(await header.getAttribute("aria-sort"), "descending");
-    assert.deepEqual(await cells("bfr", 0), ["interior 5", "interior 12", "regular"]);
-    assert.deepEqual(await cells("patch-box", 0), ["<script>", "interior 5", "regular"]);
-    await page.keyboard.press("Enter");
-    assert.equal(await header.getAttribute("aria-sort"), "ascending");
-    assert.deepEqual(await cells("bfr", 0), ["regular", "interior 12", "interior 5"]);
-    await page.keyboard.press("Enter");
-    assert.equal(await header.getAttribute("aria-sort"), "none");
-    assert.deepEqual(await cells("bfr", 0), ["regular", "interior 5", "interior 12"]);
+test("a frame puts finite positions of any size within 1/2 of the origin", () => {
+    for (const [low, high] of [[-1, 1], [-1.79e308, 1.79e308], [1e300, 1.1e300], [0, 5e-324], [-1e-320, 0], [7, 7]]) {
+        const positions = Float64Array.of(low, low, low, high, high, high, NaN, 1, 1, 1, Infinity, 1);
+        const frame = frame_of(positions);
+        assert.ok(frame.centre.every(Number.isFinite) && Number.isFinite(frame.extent) && frame.extent > 0);
+        const { points, finite } = place(positions, frame);
+        assert.deepEqual([...finite], [1, 1, 0, 0]);
+        for (const x of points.subarray(0, 6)) assert.ok(Math.abs(x) <= 1, `${x} of ${low} and ${high}`);
+    }
+    assert.deepEqual(frame_of(Float64Array.of(NaN, NaN, NaN)), { centre: [0, 0, 0], extent: 1 });
+    assert.deepEqual(frame_of(new Float64Array()), { centre: [0, 0, 0], extent: 1 });
 });
 
-test("names sort by their numbers, and what has no rate comes last both ways", async () => {
-    const sort = (/** @type {number} */ column) =>
-        page.locator("section[aria-label='bfr'] thead button").nth(column).click();
-    await sort(0);
-    assert.deepEqual(await cells("bfr", 0), ["regular", "interior 12", "interior 5"]);
-    await sort(10);
-    assert.deepEqual(await cells("bfr", 10), ["0.5800", "0.4550", ""]);
-    await sort(10);
-    assert.deepEqual(await cells("bfr", 10), ["0.4550", "0.5800", ""]);
-    await sort(10);
+test("an exaggeration grows the difference, and nothing else", () => {
+    const subject = Float64Array.of(0, 0, 0, 1, 1, 1);
+    const reference = Float64Array.of(0, 0, 0, 1 + 2 ** -52, 1, 1);
+    const frame = frame_of(subject);
+    const at = (/** @type {number} */ exaggeration) =>
+        [...place_exaggerated(subject, reference, exaggeration, frame).points];
+    assert.deepEqual(at(0), [-0.5, -0.5, -0.5, 0.5, 0.5, 0.5]);
+    assert.deepEqual(at(2 ** 52), [-0.5, -0.5, -0.5, 1.5, 0.5, 0.5]);
+    assert.deepEqual([...place_exaggerated(subject, reference, 1e300, frame).finite], [1, 0]);
 });
 
-test("a way is chosen for the model", async () => {
-    const pressed = () => page.locator("button[aria-pressed='true']").evaluateAll((buttons) =>
-        buttons.map((button) => button.closest("section")?.getAttribute("aria-label")));
-    assert.deepEqual(await pressed(), ["bfr"]);
-    await page.locator("section[aria-label='patch-box'] button[aria-pressed]").press("Space");
-    assert.deepEqual(await pressed(), ["patch-box"]);
+test("faces at a vertex without a place are left out, and its neighbours are loose", () => {
+    const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, NaN, 1, 0, 2, 2, 0);
+    const triangles = Uint32Array.of(0, 1, 2, 1, 3, 4);
+    const placed = place(positions, frame_of(positions));
+    const faces = faces_with_place(triangles, placed);
+    assert.deepEqual([...faces], [0]);
+    assert.deepEqual([...loose_vertices(triangles, faces, placed)], [4]);
 });
 
-test("the plot has a mark a way and class, and a dash where a bound is predicted", async () => {
-    const marks = await dots_of(page.locator("figure"));
-    assert.equal(marks.length, 6);
-    assert.equal(await page.locator(".bounds path").count(), 4);
-    assert.equal(await page.locator(".beyond circle, .beyond path").count(), 2);
-    const y = (/** @type {string} */ title) => marks.find((m) => m.title.startsWith(title))?.y ?? NaN;
-    const ascending = ["patch-box, face class regular", "bfr, face class regular", "bfr, face class interior 12",
-        "bfr, face class interior 5", "patch-box, face class interior 5", "patch-box, face class <script>"].map(y);
-    for (let i = 1; i < ascending.length; ++i) assert.ok(ascending[i] < ascending[i - 1], `mark ${i}`);
+test("a ray meets the nearest face from either side, and names the nearest corner", () => {
+    const points = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1);
+    const triangles = Uint32Array.of(0, 1, 2, 3, 4, 5);
+    const faces = Uint32Array.of(0, 1);
+    const hit = (/** @type {number[]} */ origin, /** @type {number[]} */ direction, vertex = -1) =>
+        first_hit(triangles, faces, { points }, origin, direction, vertex);
+    assert.deepEqual(hit([0.1, 0.1, 3], [0, 0, -1]), { face: 1, distance: 2, corner: 0 });
+    assert.equal(hit([0.8, 0.1, -3], [0, 0, 1])?.face, 0);
+    assert.equal(hit([0.8, 0.1, -3], [0, 0, 1])?.corner, 1);
+    assert.equal(hit([0.1, 0.8, -3], [0, 0, 1])?.corner, 2);
+    assert.equal(hit([0.1, 0.1, 3], [0, 0, -1], 4)?.face, 0);
+    assert.equal(hit([0.1, 0.1, 3], [0, 0, 1]), null);
+    assert.equal(hit([0.8, 0.8, 3], [0, 0, -1]), null);
 });
 
-test("an accessibility check finds nothing", async () => {
-    const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-    await page.evaluate(await readFile(axe, "utf8"));
-    const found = await page.evaluate("axe.run().then((r) => r.violations.map((v) => `${v.id}: ${v.nodes[0].html}`))");
-    assert.deepEqual(found, []);
-});
-
-test("the console is silent", () => {
-    assert.deepEqual(fixture.complaints, []);
+test("the surroundings of a vertex are its normal and its farthest neighbour", () => {
+    const points = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 3, 0, 9, 9, 9);
+    const triangles = Uint32Array.of(0, 1, 2);
+    assert.deepEqual(around(triangles, Uint32Array.of(0), { points }, 0), { normal: [0, 0, 1], radius: 3 });
+    assert.deepEqual(around(triangles, Uint32Array.of(0), { points }, 3), { normal: [0, 0, 0], radius: 0 });
 });

@@ -159,6 +159,9 @@ function colour_points(
     attribute.needsUpdate = true;
 }
 
+/// Edges: of more, those behind the surface would be a fog that tells nothing and takes long to draw.
+const kMostBehind = 50_000;
+
 /// Gives an object the geometry, and the one before back to the card.
 function dress(objects: { geometry: three.BufferGeometry }[], geometry: three.BufferGeometry): void {
     for (const object of objects) {
@@ -217,7 +220,8 @@ export class Layer {
 
     /// The faces that are drawn.
     faces(): Uint32Array {
-        return this.contents === null ? new Uint32Array() : this.faces_of(this.contents.triangles, this.contents.placed);
+        return this.contents === null
+            ? new Uint32Array() : this.faces_of(this.contents.triangles, this.contents.placed);
     }
 
     loose(): Uint32Array {
@@ -243,7 +247,8 @@ export class Layer {
             uniforms["wire_width"]!.value = device.ratio;
         }
         this.lines.visible = look.wire && !look.fill && !look.over;
-        this.over.visible = this.behind.visible = look.over;
+        this.over.visible = look.over;
+        this.behind.visible = look.over && edges.all.length / 2 <= kMostBehind;
         if (this.lines.visible || look.over) {
             dress([this.lines, this.over, this.behind], this.lines_of(edges.all, placed));
         }

@@ -4,12 +4,16 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import type { Vector } from "./rays";
 
-const kFieldOfView = 40;
+/// Half the height of the view at distance 1, before `widen`.
+const kTangent = Math.tan(Math.PI / 9);
 const kFlight = 450;
 const kStep = Math.PI / 24;
 const kZoom = 1.2;
 /// Where the eye is first: before the model, to the right and above.
 const kFirstDirection = new three.Vector3(0.45, 0.4, 1).normalize();
+/// What a model fills of the view, and the distance to one that is a point.
+const kFitPart = 0.9;
+const kNearestFit = 0.1;
 
 interface Pose {
     target: three.Vector3;
@@ -18,7 +22,7 @@ interface Pose {
 }
 
 export class Orbit {
-    readonly camera = new three.PerspectiveCamera(kFieldOfView);
+    readonly camera = new three.PerspectiveCamera();
     private readonly canvas: HTMLCanvasElement;
     private readonly controls: OrbitControls;
     private readonly on_change: () => void;
@@ -40,9 +44,12 @@ export class Orbit {
     /// What `0` on the keyboard does.
     on_reset = (): void => {};
 
-    set aspect(aspect: number) {
-        if (this.camera.aspect === aspect) return;
+    /// `widen` is how much more than the usual is seen from bottom to top.
+    set_lens(aspect: number, widen: number): void {
+        const angle = three.MathUtils.radToDeg(2 * Math.atan(kTangent * widen));
+        if (this.camera.aspect === aspect && this.camera.fov === angle) return;
         this.camera.aspect = aspect;
+        this.camera.fov = angle;
         this.camera.updateProjectionMatrix();
     }
 
@@ -61,13 +68,23 @@ export class Orbit {
 
     /// From which a ball around the target fills that part of the view.
     distance_for(radius: number, part: number): number {
-        const half = Math.tan(three.MathUtils.degToRad(kFieldOfView / 2)) * Math.min(1, this.camera.aspect);
+        const half = Math.tan(three.MathUtils.degToRad(this.camera.fov / 2)) * Math.min(1, this.camera.aspect);
         return Math.max(radius / (part * half), 2 * this.controls.minDistance);
     }
 
-    /// A ball around the origin, whole in the view, at once.
-    fit(radius: number): void {
-        this.set(pose(new three.Vector3(), kFirstDirection, 1.1 * this.distance_for(radius, 1)));
+    /// These points around the origin in a view of that aspect, at once.
+    fit(points: Float32Array, aspect: number): void {
+        const towards = kFirstDirection;
+        const right = new three.Vector3(0, 1, 0).cross(towards).normalize();
+        const up = towards.clone().cross(right);
+        let distance = kNearestFit;
+        const point = new three.Vector3();
+        for (let i = 0; i < points.length; i += 3) {
+            point.fromArray(points, i);
+            const side = Math.max(Math.abs(point.dot(up)), Math.abs(point.dot(right)) / aspect);
+            distance = Math.max(distance, point.dot(towards) + side / (kFitPart * kTangent));
+        }
+        this.set(pose(new three.Vector3(), towards, distance));
     }
 
     /// Direction: from the target to the eye.
@@ -102,7 +119,8 @@ export class Orbit {
     }
 
     private pose(): Pose {
-        return pose(this.controls.target.clone(), this.camera.position.clone().sub(this.controls.target), this.distance());
+        const { target } = this.controls;
+        return pose(target.clone(), this.camera.position.clone().sub(target), this.distance());
     }
 
     private set({ target, offset }: Pose): void {

@@ -56,7 +56,7 @@ export function fill_material(): three.ShaderMaterial {
                 if (shading) {
                     vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
                     float light = abs(dot(normal, normalize(vec3(-0.35, 0.5, 0.8))));
-                    rgb *= (gl_FrontFacing ? 1.0 : 0.85) * (0.5 + 0.5 * light);
+                    rgb *= (gl_FrontFacing ? 1.0 : 0.85) * (0.6 + 0.4 * light);
                 }
                 pixel = vec4(rgb, 1.0);
             }`,

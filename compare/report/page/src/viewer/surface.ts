@@ -37,8 +37,7 @@ export function frame_of(positions: Float64Array): Frame {
 }
 
 function is_finite_at(positions: Float64Array, i: number): boolean {
-    return Number.isFinite(positions[i]! + positions[i + 1]! + positions[i + 2]!)
-        || (Number.isFinite(positions[i]) && Number.isFinite(positions[i + 1]) && Number.isFinite(positions[i + 2]));
+    return Number.isFinite(positions[i]) && Number.isFinite(positions[i + 1]) && Number.isFinite(positions[i + 2]);
 }
 
 /// Positions in a frame.

@@ -47,6 +47,8 @@ export interface Region {
 /// In CSS pixels: a pointer that moved less was a click, and a vertex without a face that near was meant.
 const kClick = 5;
 const kNear = 10;
+/// Whether a vertex is hidden takes a look at every face: how many of those near a pointer are tried.
+const kMostLookedAt = 16;
 const kLargestRatio = 2;
 /// A vertex without faces is shown as if its neighbours were that far.
 const kLooseRadius = 0.05;
@@ -99,14 +101,18 @@ export class Viewer {
         this.canvas.setAttribute("aria-roledescription", "3D view");
         this.canvas.setAttribute("aria-keyshortcuts",
             "ArrowLeft ArrowRight ArrowUp ArrowDown Shift+ArrowLeft Shift+ArrowRight Shift+ArrowUp Shift+ArrowDown "
-            + "+ - 0 Enter");
+            + "Plus - 0 Enter");
         // Kept: a page that is printed shows what was drawn last.
-        const wishes = { alpha: true, antialias: true, preserveDrawingBuffer: true };
-        if (this.canvas.getContext("webgl2", wishes) === null) {
+        const wishes = { alpha: true, preserveDrawingBuffer: true };
+        // Smooth edges cost a renderer without a graphics card most of its time.
+        const context =
+            this.canvas.getContext("webgl2", { ...wishes, antialias: true, failIfMajorPerformanceCaveat: true })
+            ?? this.canvas.getContext("webgl2", { ...wishes, antialias: false });
+        if (context === null) {
             throw new Error("The 3D view needs WebGL 2, which this browser lacks or has switched off.");
         }
         host.append(this.canvas);
-        this.renderer = new three.WebGLRenderer({ canvas: this.canvas, ...wishes });
+        this.renderer = new three.WebGLRenderer({ canvas: this.canvas });
         this.renderer.outputColorSpace = three.LinearSRGBColorSpace;
         this.renderer.autoClear = false;
         this.renderer.setClearColor(0, 0);
@@ -154,12 +160,13 @@ export class Viewer {
     /// Puts the vertex in the middle, seen from its normal's side, its neighbours filling a third of the view.
     /// Nothing where it has no place.
     fly_to(vertex: number): void {
-        if (this.view === null) return;
+        if (this.view === null || this.size.width === 0) return;
         const { surface, placed, layer } = this.main(this.view);
         if (!placed.finite[vertex]) return;
         const faces = layer.faces();
         const { normal, radius } = around(surface.triangles, faces, placed, vertex);
         const target = point_of(placed, vertex);
+        this.prepare(this.view);
         const straight = Math.hypot(...normal) > 0 ? normal : this.orbit.direction();
         const distance = this.orbit.distance_for(radius > 0 ? radius : kLooseRadius, 1 / 3);
         const open = kTilts.map((tilt) => unit([0, 1, 2].map((axis) => straight[axis]! + 0.7 * tilt[axis]!), straight))
@@ -172,9 +179,8 @@ export class Viewer {
 
     /// The whole model in view, at once.
     reset(): void {
-        if (this.view === null || this.size.width === 0 || this.size.height === 0) return;
-        this.orbit.aspect = this.aspect();
-        this.orbit.fit(this.radius_of(this.drawn(this.view).subject.placed));
+        if (this.view === null || this.size.width === 0) return;
+        this.orbit.fit(this.drawn(this.view).subject.placed.points, this.size.width / this.size.height);
         this.fitted = true;
     }
 
@@ -202,9 +208,10 @@ export class Viewer {
         const regions = this.regions();
         const region = regions.find((candidate) => candidate.of === of) ?? regions[0]!;
         const nowhere = { x: NaN, y: NaN, visible: false };
-        if (this.view === null) return nowhere;
+        if (this.view === null || this.size.width === 0) return nowhere;
         const drawn = this.drawn_in(this.view, of === "reference" ? of : region.of);
         if (!drawn.placed.finite[vertex]) return nowhere;
+        this.prepare(this.view);
         const at = this.project(drawn.placed, vertex, region);
         const inside = at.depth > -1 && at.depth < 1 && at.x >= region.x && at.x < region.x + region.width
             && at.y >= region.y && at.y < region.y + region.height;
@@ -266,17 +273,15 @@ export class Viewer {
         return this.drawn_in(view, this.regions()[0]!.of);
     }
 
-    private aspect(): number {
-        const { width, height } = this.regions()[0]!;
-        return width / Math.max(1, height);
-    }
-
     private readonly request_render = (): void => {
         if (this.frame_request === 0) this.frame_request = requestAnimationFrame(this.render);
     };
 
     private prepare(view: View): void {
-        this.orbit.aspect = this.aspect();
+        // Half a view shows what a whole one does, smaller.
+        const { width, height } = this.regions()[0]!;
+        const whole = this.size.width / this.size.height;
+        this.orbit.set_lens(width / height, Math.max(1, whole / (width / height)));
         const { subject, reference } = this.drawn(view);
         this.orbit.prepare(Math.max(this.radius_of(subject.placed), reference === null ? 0 : kReferenceRadius));
     }
@@ -284,7 +289,7 @@ export class Viewer {
     private readonly render = (): void => {
         this.frame_request = 0;
         const { view, size: { width, height } } = this;
-        if (view === null || width === 0 || height === 0) return;
+        if (view === null || width === 0) return;
         if (!this.fitted) this.reset();
         this.prepare(view);
         const ratio = this.renderer.getPixelRatio();
@@ -309,16 +314,16 @@ export class Viewer {
         const { clientWidth: width, clientHeight: height } = this.host;
         const ratio = Math.min(kLargestRatio, devicePixelRatio);
         if (width === this.size.width && height === this.size.height && ratio === this.renderer.getPixelRatio()) return;
-        this.size = { width, height };
-        if (width === 0 || height === 0) return;
+        // Hidden: nothing to see, and nothing to be near to.
+        this.size = width > 0 && height > 0 ? { width, height } : { width: 0, height: 0 };
+        if (this.size.width === 0) return;
         this.renderer.setPixelRatio(ratio);
-        this.renderer.setSize(width, height);
+        this.renderer.setSize(width, height, false);
         // At once: a canvas of another size is empty until it is drawn.
         this.render();
     };
 
     private project({ points }: Placed, vertex: number, region: Region): { x: number; y: number; depth: number } {
-        if (this.view !== null) this.prepare(this.view);
         const { x, y, z } = new three.Vector3().fromArray(points, 3 * vertex).project(this.orbit.camera);
         return {
             x: region.x + (x + 1) / 2 * region.width,
@@ -356,22 +361,15 @@ export class Viewer {
     private nearest(
         drawn: Drawn, vertices: Iterable<number>, region: Region, x: number, y: number, reach: number,
     ): number | null {
-        let found: number | null = null;
-        let least = reach;
-        const point = new three.Vector3();
-        const { camera } = this.orbit;
-        const { placed: { points, finite } } = drawn;
+        const candidates: { vertex: number; away: number }[] = [];
         for (const vertex of vertices) {
-            if (!finite[vertex]) continue;
-            point.fromArray(points, 3 * vertex).project(camera);
-            if (!(point.z > -1 && point.z < 1)) continue;
-            const away = Math.hypot(
-                region.x + (point.x + 1) / 2 * region.width - x, region.y + (1 - point.y) / 2 * region.height - y);
-            if (!(away < least) || this.is_hidden(drawn, vertex)) continue;
-            least = away;
-            found = vertex;
+            if (!drawn.placed.finite[vertex]) continue;
+            const at = this.project(drawn.placed, vertex, region);
+            const away = Math.hypot(at.x - x, at.y - y);
+            if (at.depth > -1 && at.depth < 1 && away < reach) candidates.push({ vertex, away });
         }
-        return found;
+        return candidates.sort((a, b) => a.away - b.away).slice(0, kMostLookedAt)
+            .find(({ vertex }) => !this.is_hidden(drawn, vertex))?.vertex ?? null;
     }
 
     private announce(vertex: number | null): void {
@@ -380,7 +378,7 @@ export class Viewer {
 
     private readonly pointer_down = (event: PointerEvent): void => {
         // A second finger makes it a gesture.
-        this.press = this.press === null && event.button === 0
+        this.press = event.isPrimary && event.button === 0
             ? { id: event.pointerId, x: event.offsetX, y: event.offsetY } : null;
     };
 
@@ -419,6 +417,8 @@ function unit(vector: readonly number[], otherwise: Vector): Vector {
 /// Of the ball around the origin that holds every vertex; not 0, for the eye must be outside it.
 function radius_of({ points }: Placed): number {
     let radius = 0;
-    for (let i = 0; i < points.length; i += 3) radius = Math.max(radius, Math.hypot(points[i]!, points[i + 1]!, points[i + 2]!));
+    for (let i = 0; i < points.length; i += 3) {
+        radius = Math.max(radius, Math.hypot(points[i]!, points[i + 1]!, points[i + 2]!));
+    }
     return radius > 0 ? radius : kLooseRadius;
 }
