@@ -167,7 +167,8 @@ function Way({ surface, selected, on_select, order, on_sort }: WayProps) {
                                 {kColumns.map((column, i) => (
                                     <th key={i} scope="col" class={i === 0 ? "name" : undefined}
                                         aria-sort={sort_of(order, i)}>
-                                        <button type="button" class="sort" title={column.what} onClick={() => on_sort(i)}>
+                                        <button type="button" class="sort" title={column.what}
+                                            onClick={() => on_sort(i)}>
                                             {column.name}
                                         </button>
                                     </th>

@@ -5,8 +5,7 @@ import { Chunk } from "../src/chunk";
 import { CurvePage } from "../src/curve";
 import type { CaseSummary, CurveCase, CurveJson, VerdictName } from "../src/format";
 
-/// A quadratic B-spline of these points in the plane, natural ends: level 1 by Chaikin's corner cutting, and the curve at
-/// the middle of each of its pieces.
+/// The control points of a quadratic B-spline in the plane, natural ends; its levels are made by corner cutting.
 const control = [[0, 0], [1, 2], [3, 2], [4, 0], [6, 0]] as const;
 
 function spatial(points: (readonly [number, number])[], scale: number): Float64Array<ArrayBuffer> {
@@ -26,7 +25,7 @@ function curve_of(file: string, scale: number, verdict: VerdictName) {
     const level_2 = cut(level_1);
     const exact = cut(cut(cut(level_2)));
     const nowhere = Float64Array.from(control.flatMap(() => [NaN, NaN, NaN]));
-    // The first and the last point of level 1 are outside the domain; the others come a quarter nearer to the curve.
+    // As if the first and the last point were outside the domain, and the others an eighth above the curve.
     const on_curve = (points: [number, number][]) => {
         const out = spatial(points.map((p) => [p[0], p[1] - 1 / 8]), scale);
         out.fill(NaN, 0, 3);

@@ -61,7 +61,11 @@ export function Magnitudes(props: MagnitudesProps) {
     const reading = [props.reading, ...left_out].join(" ");
     return (
         <Figure title={props.title} reading={reading} numbers={props.numbers ?? numbers_of(props)}>
-            <PlotCanvas label={`${props.title}. ${reading}`} height={props.ordered ? kHeight : kUnorderedHeight} draw={draw} />
+            <PlotCanvas
+                label={`${props.title}. ${reading}`}
+                height={props.ordered ? kHeight : kUnorderedHeight}
+                draw={draw}
+            />
             <Legend series={shown.series} bound_name={props.bound_name} />
         </Figure>
     );
