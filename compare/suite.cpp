@@ -45,8 +45,8 @@ SuiteRow run_pair(const std::string& name, Referee& referee, const Subject& ours
     }
     shown->begin(ours, peer);
     const auto keep = [&](const auto& record) { shown->add(record); };
-    row.comparison = referee.judge(ours, peer, kWorstListed, keep);
-    if (limits) row.limits = referee.judge_limits(ours, peer, kWorstListed, keep);
+    row.comparison = referee.judge(ours, peer, kWorstListedInSuite, keep);
+    if (limits) row.limits = referee.judge_limits(ours, peer, kWorstListedInSuite, keep);
     shown->end(row.comparison, row.limits);
     for (LevelResult& level : row.comparison.levels) level.worst = {};
     if (row.limits)

@@ -80,14 +80,15 @@ ArrayRef ChunkWriter::add(std::string_view type, std::size_t element_size, std::
         const std::size_t byte = std::endian::native == std::endian::little ? plane : element_size - 1 - plane;
         for (std::size_t i = 0; i < count; ++i) planes_ += static_cast<char>(bytes[i * element_size + byte]);
     }
-    if (base) {
-        const Array& other = arrays_.at(*base);
-        if (other.type != type || other.count != count || other.base)
+    // The base is stored combined with its own base, if it has one.
+    for (auto below = base; below; below = arrays_[*below].base) {
+        const Array& other = arrays_.at(*below);
+        if (other.type != type || other.count != count)
             throw std::logic_error("An array of a report cannot be combined with that one.");
         for (std::size_t i = 0; i < bytes.size(); ++i)
             planes_[at + i] = static_cast<char>(planes_[at + i] ^ planes_[other.at + i]);
     }
-    arrays_.push_back({type, element_size, count, at, base});
+    arrays_.push_back({type, count, at, base});
     return arrays_.size() - 1;
 }
 

@@ -20,9 +20,9 @@ using ArrayRef = std::size_t;
 /// Gathers the arrays of a chunk, in byte planes.
 class ChunkWriter {
   public:
-    /// Adds an array of 8-, 16- or 32-bit integers, float or double; a point is three doubles.  `base`, an array of
-    /// the same type and length that has none itself, is one whose bits this one's are combined with by exclusive
-    /// or: what is equal, or nearly, then compresses to nothing.
+    /// Adds an array of 8-, 16- or 32-bit integers, float or double; a point is three doubles.  `base` is an array of
+    /// the same type and length whose bits this one's are combined with by exclusive or: what is equal, or nearly,
+    /// then compresses to nothing.
     template <class Element>
     ArrayRef add(const std::vector<Element>& values, std::optional<ArrayRef> base = std::nullopt) {
         if constexpr (std::is_same_v<Element, glm::dvec3>)
@@ -40,7 +40,7 @@ class ChunkWriter {
   private:
     struct Array {
         std::string_view type;
-        std::size_t element_size, count, at;
+        std::size_t count, at;  // in `planes_`
         std::optional<ArrayRef> base;
     };
 

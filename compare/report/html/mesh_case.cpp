@@ -32,11 +32,12 @@ void MeshCase::Numbers::add(const VertexRecord& r, double unit) {
     bound_use.push_back(to_float(r.bound_use));
 }
 
-std::size_t MeshCase::index_of(const std::string& subject) {
+std::size_t MeshCase::index_of(const std::string& subject, std::optional<std::size_t> compared_with) {
     const auto found =
         std::find_if(made_.begin(), made_.end(), [&](const Made& made) { return made.subject == subject; });
     const auto index = static_cast<std::size_t>(found - made_.begin());
-    if (found == made_.end()) made_.push_back({subject, std::vector<MadeLevel>(static_cast<std::size_t>(shown_))});
+    if (found == made_.end())
+        made_.push_back({subject, compared_with, std::vector<MadeLevel>(static_cast<std::size_t>(shown_))});
     return index;
 }
 
@@ -51,8 +52,8 @@ void MeshCase::begin(const Subject& subject, const Subject& reference) {
     exact_.resize(static_cast<std::size_t>(shown_));
     Pair& pair = pairs_.emplace_back();
     pair.unit = error_unit(mesh_.largest_coordinate(), subject.precision, reference.precision);
-    pair.subject = index_of(subject.name);
-    pair.reference = index_of(reference.name);
+    pair.subject = index_of(subject.name, std::nullopt);
+    pair.reference = index_of(reference.name, pair.subject);
     pair.levels.resize(static_cast<std::size_t>(shown_));
 }
 
@@ -99,50 +100,75 @@ void MeshCase::end(const Comparison& comparison, const std::optional<LimitCompar
 
 Json MeshCase::positions(ChunkWriter& chunk, std::size_t level, ArrayRef exact) const {
     Json out = Json::array();
+    std::vector<ArrayRef> refs;  // as in `made_`
     for (const Made& made : made_) {
         const MadeLevel& here = made.levels[level];
+        refs.push_back(exact);
         if (here.positions.empty()) continue;
-        Json entry{{"subject", made.subject}, {"positions", chunk.add(here.positions, exact)}};
+        refs.back() = chunk.add(here.positions, made.compared_with ? refs[*made.compared_with] : exact);
+        Json entry{{"subject", made.subject}, {"positions", refs.back()}};
         if (!is_in_order(here.order)) entry["order"] = chunk.add(here.order);
         out.push_back(std::move(entry));
     }
     return out;
 }
 
-Json MeshCase::limits(ChunkWriter& chunk, std::size_t level) const {
-    const ArrayRef exact = chunk.add(exact_[level].limits), normals = chunk.add(exact_[level].normals);
-    Json out{{"exact", exact}, {"exact_normals", normals}, {"positions", Json::array()}};
+Json MeshCase::limits(ChunkWriter& chunk, std::size_t level, ArrayRef exact_positions) const {
+    const ArrayRef exact = chunk.add(exact_[level].limits, exact_positions);
+    const ArrayRef exact_normals = chunk.add(exact_[level].normals);
+    Json out{{"exact", exact}, {"exact_normals", exact_normals}, {"positions", Json::array()}};
+    std::vector<std::pair<ArrayRef, ArrayRef>> refs;
     for (const Made& made : made_) {
         const MadeLevel& here = made.levels[level];
+        refs.emplace_back(exact, exact_normals);
         if (here.limits.empty()) continue;
-        out["positions"].push_back({{"subject", made.subject},
-                                    {"positions", chunk.add(here.limits, exact)},
-                                    {"normals", chunk.add(here.normals, normals)}});
+        const auto base = made.compared_with ? refs[*made.compared_with] : refs.back();
+        refs.back() = {chunk.add(here.limits, base.first), chunk.add(here.normals, base.second)};
+        out["positions"].push_back(
+            {{"subject", made.subject}, {"positions", refs.back().first}, {"normals", refs.back().second}});
     }
     return out;
 }
 
-Json MeshCase::numbers(ChunkWriter& chunk, const Pair& pair, std::size_t level) const {
-    const LevelNumbers& here = pair.levels[level];
-    if (here.refinement.bound.empty()) return nullptr;
-    const auto put_in = [&](const Numbers& n) {
-        return Json{{"subject_error", chunk.add(n.subject_error)},
-                    {"reference_error", chunk.add(n.reference_error)},
-                    {"bound", chunk.add(n.bound)},
-                    {"bound_use", chunk.add(n.bound_use)}};
+Json MeshCase::Numbers::put_into(ChunkWriter& chunk, const Json& base) const {
+    const auto put_in = [&](const char* name, const std::vector<float>& values) {
+        return chunk.add(values, base.contains(name) ? std::optional(base[name].get<ArrayRef>()) : std::nullopt);
     };
-    Json out = put_in(here.refinement);
-    if (!here.limits.bound.empty()) {
-        out["limits"] = put_in(here.limits);
-        out["limits"]["normal"] = chunk.add(here.normal);
-        out["limits"]["normal_bound"] = chunk.add(here.normal_bound);
-        out["limits"]["deviation"] = chunk.add(here.deviation);
-    }
-    if (pair.deviation != 0) {
-        std::vector<std::uint8_t> shows;
-        shows.reserve(here.refinement.bound_use.size());
-        for (const float use : here.refinement.bound_use) shows.push_back(use <= 1 ? 0 : pair.deviation);
-        out["deviation"] = chunk.add(shows);
+    const ArrayRef subject = put_in("subject_error", subject_error);
+    return {{"subject_error", subject},
+            {"reference_error", chunk.add(reference_error, subject)},
+            {"bound", put_in("bound", bound)},
+            {"bound_use", put_in("bound_use", bound_use)}};
+}
+
+Json MeshCase::numbers(ChunkWriter& chunk, std::size_t level) const {
+    Json out = Json::array();
+    std::vector<std::size_t> before;  // pairs that have numbers
+    for (const Pair& pair : pairs_) {
+        const LevelNumbers& here = pair.levels[level];
+        if (here.refinement.bound.empty()) {
+            out.push_back(nullptr);
+            continue;
+        }
+        // An earlier comparison of the same subject has the same errors of it and, in one precision, the same bounds.
+        const auto same = std::find_if(before.begin(), before.end(),
+                                       [&](std::size_t i) { return pairs_[i].subject == pair.subject; });
+        const Json base = same != before.end() ? out[*same] : Json::object();
+        Json entry = here.refinement.put_into(chunk, base);
+        if (!here.limits.bound.empty()) {
+            entry["limits"] = here.limits.put_into(chunk, base.value("limits", Json::object()));
+            entry["limits"]["normal"] = chunk.add(here.normal);
+            entry["limits"]["normal_bound"] = chunk.add(here.normal_bound);
+            entry["limits"]["deviation"] = chunk.add(here.deviation);
+        }
+        if (pair.deviation != 0) {
+            std::vector<std::uint8_t> shows;
+            shows.reserve(here.refinement.bound_use.size());
+            for (const float use : here.refinement.bound_use) shows.push_back(use <= 1 ? 0 : pair.deviation);
+            entry["deviation"] = chunk.add(shows);
+        }
+        before.push_back(out.size());
+        out.push_back(std::move(entry));
     }
     return out;
 }
@@ -158,10 +184,10 @@ std::optional<std::string> MeshCase::chunk(const Witness& witness) && {
     for (int l = 0; l < shown_; ++l) {
         const auto at = static_cast<std::size_t>(l);
         Json level = writer.add(l);
-        level["positions"] = positions(chunk, at, level["exact"].get<ArrayRef>());
-        if (!exact_[at].limits.empty()) level["limits"] = limits(chunk, at);
-        level["comparisons"] = Json::array();
-        for (const Pair& pair : pairs_) level["comparisons"].push_back(numbers(chunk, pair, at));
+        const auto exact = level["exact"].get<ArrayRef>();
+        level["positions"] = positions(chunk, at, exact);
+        if (!exact_[at].limits.empty()) level["limits"] = limits(chunk, at, exact);
+        level["comparisons"] = numbers(chunk, at);
         levels.push_back(std::move(level));
     }
     Json header{{"kind", "mesh"}, {"comparisons", Json::array()}, {"surfaces", Json::array()}};

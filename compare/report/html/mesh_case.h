@@ -11,8 +11,8 @@
 
 namespace loopcheck::compare {
 
-/// Worst vertices of a level that a report lists.
-inline constexpr int kWorstListed = 20;
+/// Worst vertices of a level that a report lists, of each comparison; of a suite, which has many.
+inline constexpr int kWorstListed = 20, kWorstListedInSuite = 5;
 
 /// Gathers a case.  For each pair of subjects: `begin`, then `add` every vertex and limit, then `end`.
 class MeshCase {
@@ -36,6 +36,7 @@ class MeshCase {
     };
     struct Made {
         std::string subject;
+        std::optional<std::size_t> compared_with;  // in `made_`: what it is likely to be near to
         std::vector<MadeLevel> levels;
     };
     // What the referee said of a level, in units.
@@ -43,6 +44,8 @@ class MeshCase {
         std::vector<float> subject_error, reference_error, bound, bound_use;
 
         void add(const VertexRecord& record, double unit);
+        /// Combined with arrays of the same names of `base`, where it has them.
+        nlohmann::ordered_json put_into(ChunkWriter& chunk, const nlohmann::ordered_json& base) const;
     };
     struct LevelNumbers {
         Numbers refinement, limits;
@@ -61,11 +64,11 @@ class MeshCase {
         std::vector<glm::dvec3> limits, normals;
     };
 
-    std::size_t index_of(const std::string& subject);
+    std::size_t index_of(const std::string& subject, std::optional<std::size_t> compared_with);
     std::uint8_t index_of_deviation(std::string_view name);
     nlohmann::ordered_json positions(ChunkWriter& chunk, std::size_t level, ArrayRef exact) const;
-    nlohmann::ordered_json limits(ChunkWriter& chunk, std::size_t level) const;
-    nlohmann::ordered_json numbers(ChunkWriter& chunk, const Pair& pair, std::size_t level) const;
+    nlohmann::ordered_json limits(ChunkWriter& chunk, std::size_t level, ArrayRef exact_positions) const;
+    nlohmann::ordered_json numbers(ChunkWriter& chunk, std::size_t level) const;
 
     const core::TriangleMesh& mesh_;
     int shown_;
