@@ -44,7 +44,7 @@ const kRamp: readonly Rgb[] = Array.from({ length: kRampColours },
 
 export const kIdentical: Rgb = from_hex("#e4e6ea");
 export const kNotFinite: Rgb = from_hex("#ff00ff");
-export const kNotCompared: Rgb = from_hex("#8d9196");
+export const kNotCompared: Rgb = from_hex("#000000");
 
 export interface Tick {
     /// 0 at the least value of the scale, 1 at its largest.

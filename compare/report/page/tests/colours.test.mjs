@@ -43,7 +43,7 @@ test("ErrorScale has one colour for identical, and one for all that is no finite
     assert.deepEqual(scale.colour_of(NaN), kNotCompared);
 });
 
-test("ErrorScale keeps its two own colours away from the ramp, for every eye", () => {
+test("ErrorScale keeps its own colours away from the ramp, for every eye", () => {
     const scale = new ErrorScale({ least: 1, largest: 100 }, "u M");
     for (const own of [kIdentical, kNotFinite, kNotCompared]) {
         for (let part = 0; part <= 1; part += 1 / 256) {
@@ -52,6 +52,7 @@ test("ErrorScale keeps its two own colours away from the ramp, for every eye", (
         }
     }
     assert.ok(apart(kIdentical, kNotFinite) > 0.15);
+    assert.ok(apart(kIdentical, kNotCompared) > 0.1);
 });
 
 test("ErrorScale works without values, with one, and with all the same", () => {
