@@ -4,7 +4,8 @@ import { test } from "node:test";
 import { import_ts } from "./support.mjs";
 
 const { edges_of } = await import_ts("src/viewer/edges.ts");
-const { faces_with_place, frame_of, loose_vertices, place, place_exaggerated } = await import_ts("src/viewer/surface.ts");
+const { faces_with_place, frame_of, loose_vertices, place, place_exaggerated } =
+    await import_ts("src/viewer/surface.ts");
 const { around, first_hit } = await import_ts("src/viewer/rays.ts");
 
 /** @param {Uint32Array} pairs */
