@@ -116,6 +116,7 @@ function MeshPage({ report, chunk, summary, result }: {
         (one) => one.subject === result?.subject && one.reference === result.reference,
     );
     const way = header.surfaces.findIndex((one) => one.method === result?.what);
+    const json = header.comparisons[comparison];
     const [level_index, set_level_index] = useState(header.levels.length - 1);
     const [points, set_points] = useState<Points>(result?.what === "limits" ? "limit" : "refined");
     const [selected, set_selected] = useState<number | null>(null);
@@ -127,13 +128,19 @@ function MeshPage({ report, chunk, summary, result }: {
         () => (header.levels[level_index] ? new MeshLevel(chunk, header.levels[level_index]) : null),
         [chunk, level_index],
     );
+    const frame = useMemo(() => {
+        const [first] = header.levels;
+        if (first === undefined) return null;
+        const control = new MeshLevel(chunk, first);
+        const positions = control.positions(json?.subject ?? "ours", "refined");
+        return positions && { positions, triangles: control.triangles };
+    }, [chunk, json]);
     const shown_points: Points = level?.level.limits ? points : "refined";
     const layers = useMemo<Layer[]>(() => {
         if (level === null) return [];
         return [...face_layers(chunk, level, way), ...vertex_layers(chunk, level, comparison, shown_points)];
     }, [chunk, level, way, comparison, shown_points]);
     const layer = layers.find((one) => one.id === layer_id) ?? layers[0];
-    const json = header.comparisons[comparison];
     const go_to = (vertex: number) => {
         set_selected(vertex);
         set_flight({ vertex });
@@ -152,7 +159,7 @@ function MeshPage({ report, chunk, summary, result }: {
                             on_points={set_points}
                         />
                         <SurfaceView
-                            level={level} json={json} points={shown_points} layers={layers} layer={layer}
+                            level={level} frame={frame} json={json} points={shown_points} layers={layers} layer={layer}
                             on_layer={set_layer_id} selected={selected} flight={flight} on_pick={set_selected}
                             name={`${summary.model}, level ${level.level.level}`}
                         />

@@ -7,7 +7,7 @@ import type { Layer } from "./layers";
 import { Legend } from "./legend";
 import type { MeshLevel, Points } from "./mesh_level";
 import { short } from "./numbers";
-import { type Mode, Viewer } from "./viewer/viewer";
+import { type Mode, type Surface, Viewer } from "./viewer/viewer";
 
 const kModes: { mode: Mode; label: string }[] = [
     { mode: "subject", label: "ours" },
@@ -36,8 +36,10 @@ function largest_finite(values: Float64Array | null): number {
     return out;
 }
 
-export function SurfaceView({ level, json, points, layers, layer, on_layer, selected, flight, on_pick, name }: {
+export function SurfaceView({ level, frame, json, points, layers, layer, on_layer, selected, flight, on_pick, name }: {
     level: MeshLevel;
+    /// What fills the view at first, so that all levels keep their places.
+    frame: Surface | null;
     json: ComparisonJson | undefined;
     points: Points;
     layers: Layer[];
@@ -91,8 +93,8 @@ export function SurfaceView({ level, json, points, layers, layer, on_layer, sele
     useEffect(() => {
         if (surface === null) return;
         const mode = other === null ? "subject" : drawing.mode;
-        viewer.current?.show({ ...drawing, subject: surface, reference: other, colours, mode, exaggeration: factor, selected });
-    }, [surface, other, colours, drawing, factor, selected]);
+        viewer.current?.show({ ...drawing, ...(frame && { frame }), subject: surface, reference: other, colours, mode, exaggeration: factor, selected });
+    }, [surface, other, frame, colours, drawing, factor, selected]);
     useEffect(() => {
         if (flight !== null) viewer.current?.fly_to(flight.vertex);
     }, [flight]);

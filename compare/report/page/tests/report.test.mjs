@@ -10,7 +10,7 @@ import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { chunk, report_file } from "./fixture.mjs";
-import { bundled_page, launch } from "./support.mjs";
+import { bundled_page, launch, open_file } from "./support.mjs";
 
 const program = process.env["LOOPCHECK"] ?? "";
 const models = process.env["LOOPCHECK_MODELS"] ?? "";
@@ -48,23 +48,15 @@ function report(name, command) {
 const model = (model) => join(models, model);
 
 /**
- * Opens a file; every message of the console, every error and every request but for the file itself is a complaint.
- * @param {string} html
- * @param {{ colorScheme?: "light" | "dark", width?: number, height?: number, reducedMotion?: "reduce" }} options
+ * Opens a report file.
+ * @param {string} html with its address within the report, if any
+ * @param {{ colorScheme?: "light" | "dark", width?: number }} options
  */
-async function open(html, { colorScheme = "light", width = 1400, height = 1000, reducedMotion = "reduce" } = {}) {
-    const page = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion });
-    /** @type {string[]} */
-    const complaints = [];
-    page.on("console", (message) => complaints.push(message.text()));
-    page.on("pageerror", (error) => complaints.push(error.message));
-    page.on("dialog", (dialog) => complaints.push(dialog.message()));
-    page.on("request", (request) => {
-        if (!/^(file|data|blob):/.test(request.url())) complaints.push(request.url());
-    });
-    await page.goto(`file://${html}`);
-    await page.locator("h1, [role=alert]").first().waitFor();
-    return { page, complaints };
+async function open(html, { colorScheme = "light", width = 1400 } = {}) {
+    const opened = await open_file(browser, html,
+        { viewport: { width, height: 1000 }, colorScheme, reducedMotion: "reduce" });
+    await opened.page.locator("h1, [role=alert]").first().waitFor();
+    return opened;
 }
 
 /** @param {import("playwright-core").Page} page */
@@ -100,16 +92,16 @@ test("worst vertices of every level read as in the JSON", async () => {
     ]) {
         const command = ["compare", model(file ?? ""), "--levels", "3", "--top", "3", ...more];
         const { html, json } = report(name ?? "", command);
-        const { page, complaints } = await open(html);
+        const { page, complaints, close } = await open(html);
         const [comparison] = json.comparisons;
         for (const level of comparison.levels) {
             await set_level(page, level.level);
             for (const worst of level.worst) {
                 await select(page, worst.vertex);
-                const cells = page.locator(".positions");
+                const cells = page.locator(".points").first();
                 for (const [who, key] of [[comparison.subject, "subject"], [comparison.reference, "reference"],
                     ["exact", "exact"]])
-                    assert.deepEqual(await cells.locator(`tr[data-who="${who}"] code`).allTextContents(),
+                    assert.deepEqual(await cells.locator(`[data-who="${who}"] code`).allTextContents(),
                         worst[key].hex, `${name} level ${level.level} vertex ${worst.vertex} ${who}`);
                 assert.equal(await page.locator("[data-field=class]").textContent(), worst.class);
                 if (level.level > 0) assert.equal(await page.locator("[data-field=rule]").textContent(), worst.rule);
@@ -117,13 +109,13 @@ test("worst vertices of every level read as in the JSON", async () => {
             }
         }
         assert.deepEqual(complaints, []);
-        await page.close();
+        await close();
     }
 });
 
 test("the slider shows each level with its counts, also by keyboard", async () => {
     const { html, json } = report("levels", ["compare", model("torus.obj"), "--levels", "3"]);
-    const { page, complaints } = await open(html);
+    const { page, complaints, close } = await open(html);
     const slider = page.getByRole("slider", { name: /Level/ });
     await slider.focus();
     await page.keyboard.press("Home");
@@ -135,12 +127,12 @@ test("the slider shows each level with its counts, also by keyboard", async () =
         await page.keyboard.press("ArrowRight");
     }
     assert.deepEqual(complaints, []);
-    await page.close();
+    await close();
 });
 
 test("a click on the surface selects the vertex under it", async () => {
     const { html } = report("click", ["compare", model("icosahedron.obj"), "--levels", "1"]);
-    const { page, complaints } = await open(html);
+    const { page, complaints, close } = await open(html);
     await page.getByRole("slider", { name: /Level/ }).fill("0");
     for (const vertex of [3, 7]) {
         await select(page, vertex);  // flies there: it is in the middle
@@ -153,12 +145,12 @@ test("a click on the surface selects the vertex under it", async () => {
         await page.locator(`[data-vertex="${vertex}"]`).waitFor();
     }
     assert.deepEqual(complaints, []);
-    await page.close();
+    await close();
 });
 
 test("masks are fractions that sum to 1", async () => {
     const { html } = report("mask", ["compare", model("icosahedron.obj"), "--levels", "1"]);
-    const { page } = await open(html);
+    const { page, close } = await open(html);
     await select(page, 2);
     const weights = await page.locator("[data-field=weight]").allTextContents();
     assert.equal(weights.length, 6);
@@ -167,13 +159,13 @@ test("masks are fractions that sum to 1", async () => {
         return sum + Number(p) / Number(q);
     }, 0);
     assert.ok(Math.abs(sum - 1) < 6 * Number.EPSILON, `${weights} sum to ${sum}`);
-    await page.close();
+    await close();
 });
 
 test("every cell of the table leads to its case, with the verdict of the JSON", async () => {
     const files = ["tetrahedron.obj", "boundary-corner-4-faces.obj", "cow-creased.obj"].map(model);
     const { html, json } = report("suite", ["suite", ...files, "--levels", "2"]);
-    const { page, complaints } = await open(html);
+    const { page, complaints, close } = await open(html);
     assert.match(await page.locator("h1").innerText(), new RegExp(json.summary.slice(0, 40)));
     /** @type {Map<string, number>} */
     const counts = new Map();
@@ -193,7 +185,7 @@ test("every cell of the table leads to its case, with the verdict of the JSON", 
             (text) => text.replace(/^\S+\s/, ""))), label);
     }
     assert.deepEqual(complaints, []);
-    await page.close();
+    await close();
 });
 
 test("the table puts failures first, filters, sorts, and is walked by arrow keys", async () => {
@@ -211,7 +203,7 @@ test("the table puts failures first, filters, sorts, and is walked by arrow keys
     };
     const html = join(folder, "fixture.html");
     writeFileSync(html, report_file(await bundled_page(), { report: chunk(header) }));
-    const { page, complaints } = await open(html);
+    const { page, complaints, close } = await open(html);
     const names = () => page.locator(".results tbody th a").allTextContents();
     assert.deepEqual(await names(), ["d", "c", "b", "a"]);
     await page.getByRole("button", { name: "model" }).click();
@@ -228,7 +220,7 @@ test("the table puts failures first, filters, sorts, and is walked by arrow keys
     await page.keyboard.press("ArrowRight");
     assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("href")), "#/case/1/0");
     assert.deepEqual(complaints, []);
-    await page.close();
+    await close();
 });
 
 test("no accessibility rule is broken, in light and dark, wide and narrow", async () => {
@@ -239,11 +231,11 @@ test("no accessibility rule is broken, in light and dark, wide and narrow", asyn
     for (const html of [cow, suite, `${suite}#/case/0/0`, limit, curve])
         for (const colorScheme of /** @type {const} */ (["light", "dark"]))
             for (const width of [1400, 420]) {
-                const { page, complaints } = await open(html, { colorScheme, width });
+                const { page, complaints, close } = await open(html, { colorScheme, width });
                 if (html !== suite) await page.locator(".case .plots, .case svg").first().waitFor();
                 assert.deepEqual(await accessibility(page), [], `${html} ${colorScheme} ${width}`);
                 assert.deepEqual(complaints, []);
-                await page.close();
+                await close();
             }
 });
 
@@ -253,17 +245,17 @@ test("names from outside are text", async () => {
     mkdirSync(dirname(path));
     copyFileSync(model("tetrahedron.obj"), path);
     const { html } = report("hostile", ["compare", path, "--levels", "1"]);
-    const { page, complaints } = await open(html);
+    const { page, complaints, close } = await open(html);
     assert.equal(await page.locator("#case").innerText(), path);
     assert.equal(await page.locator("img").count(), 0);
     assert.deepEqual(complaints, []);
-    await page.close();
+    await close();
 });
 
 test("a damaged report says so", async () => {
     const html = join(folder, "damaged.html");
     writeFileSync(html, report_file(await bundled_page(), { report: chunk({}).slice(0, 40) }));
-    const { page } = await open(html);
+    const { page, close } = await open(html);
     assert.match(await page.locator("[role=alert]").innerText(), /cannot be shown/);
-    await page.close();
+    await close();
 });
