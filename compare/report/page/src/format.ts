@@ -151,8 +151,8 @@ export interface Level {
     };
     /// As `Case.comparisons`: what the referee says of each vertex; null where nothing was compared.
     comparisons: (VertexNumbers | null)[];
-    /// As `Case.surfaces`, at level 0 only: what was seen of each face.
-    surfaces?: FaceNumbers[];
+    /// As `Case.surfaces`, at level 0 only: what was seen of each face; null where nothing was compared.
+    surfaces?: (FaceNumbers | null)[];
 }
 
 /// f32, in u M of the comparison; infinite where something is not finite.
@@ -176,14 +176,15 @@ export interface VertexNumbers {
     deviation?: ArrayRef;
 }
 
-/// One a face of the control mesh; NaN where the face was not looked at or has no surface.
+/// One a face of the control mesh; NaN where the face was not looked at or has no surface, infinite where it should have
+/// one and has not.
 export interface FaceNumbers {
     /// f32, largest coordinate of the difference in u M of double, and the largest bound of it.
     position: ArrayRef;
     bound: ArrayRef;
     /// f32, largest angle between the normals in degrees.
     normal: ArrayRef;
-    /// u8: index into `face_classes`.
+    /// u8, u16 or u32, whichever is enough: index into `face_classes`, the last of which may be "not looked at".
     face_class: ArrayRef;
 }
 
