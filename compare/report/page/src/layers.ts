@@ -53,7 +53,7 @@ export function vertex_layers(chunk: Chunk<Case>, level: MeshLevel, comparison: 
 /// What can be shown of a way of evaluation (limit): numbers of control faces, on the refined faces they became.
 export function face_layers(chunk: Chunk<Case>, level: MeshLevel, surface: number): Layer[] {
     const control = chunk.header.levels.find((one) => one.level === 0)?.surfaces?.[surface];
-    if (control === undefined) return [];
+    if (!control) return [];
     const faces = level.triangles.length / 3;
     const children = 4 ** level.level.level;
     const spread = (values: ArrayLike<number>) =>

@@ -55,8 +55,7 @@ export function launch() {
 }
 
 /**
- * A page from a file. Errors and warnings of its console, and requests for anything else, are collected in
- * `complaints`.
+ * A page from a text, as `open_file`.
  * @param {import("playwright-core").Browser} browser
  * @param {string} html
  * @param {import("playwright-core").BrowserContextOptions} [options]
@@ -65,6 +64,24 @@ export async function open_page(browser, html, options = {}) {
     const folder = await mkdtemp(join(tmpdir(), "loopcheck-page-"));
     const file = join(folder, "page.html");
     await writeFile(file, html);
+    const opened = await open_file(browser, file, options);
+    return {
+        ...opened,
+        close: async () => {
+            await opened.close();
+            await rm(folder, { recursive: true });
+        },
+    };
+}
+
+/**
+ * A page from a file. Errors and warnings of its console, dialogs, and requests for anything else, are collected in
+ * `complaints`.
+ * @param {import("playwright-core").Browser} browser
+ * @param {string} file with its address within the page, if any
+ * @param {import("playwright-core").BrowserContextOptions} [options]
+ */
+export async function open_file(browser, file, options = {}) {
     const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, ...options });
     const page = await context.newPage();
     /** @type {string[]} */
@@ -75,20 +92,17 @@ export async function open_page(browser, html, options = {}) {
         if (/GPU stall due to ReadPixels/.test(message.text())) return;
         if (["error", "warning"].includes(message.type())) complaints.push(message.text());
     });
+    page.on("dialog", (dialog) => {
+        complaints.push(dialog.message());
+        void dialog.dismiss();
+    });
     page.on("request", (request) => {
         if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
     });
-    const url = pathToFileURL(file).href;
+    const [path = "", address] = file.split("#");
+    const url = pathToFileURL(path).href + (address === undefined ? "" : `#${address}`);
     await page.goto(url);
-    return {
-        page,
-        url,
-        complaints,
-        close: async () => {
-            await context.close();
-            await rm(folder, { recursive: true });
-        },
-    };
+    return { page, url, complaints, close: () => context.close() };
 }
 
 /** The page without a report in it. */
