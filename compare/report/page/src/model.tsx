@@ -208,7 +208,7 @@ function LevelControls({ chunk, level, level_index, points, on_level, on_points 
     return (
         <div class="controls">
             <label class="level">
-                Level <output>{level.level.level}</output>{" "}
+                Level <b>{level.level.level}</b>{" "}
                 <input
                     type="range" min={0} max={levels.length - 1} value={level_index} disabled={levels.length === 1}
                     aria-valuetext={`level ${level.level.level}`}
@@ -237,8 +237,9 @@ function VertexForm({ level, selected, on_go }: {
     selected: number | null;
     on_go: (vertex: number) => void;
 }) {
-    const [text, set_text] = useState("");
-    useEffect(() => set_text(selected === null ? "" : String(selected)), [selected]);
+    // What was typed holds until another vertex is selected.
+    const [typed, set_typed] = useState<{ text: string; beside: number | null } | null>(null);
+    const text = typed?.beside === selected ? typed.text : String(selected ?? "");
     const vertex = /^\d+$/.test(text) ? Number(text) : NaN;
     const exists = vertex < level.level.vertices;
     return (
@@ -249,7 +250,7 @@ function VertexForm({ level, selected, on_go }: {
             <h3><label for="vertex">Vertex</label></h3>
             <input
                 id="vertex" inputMode="numeric" autocomplete="off" value={text} aria-invalid={text !== "" && !exists}
-                aria-describedby="vertices" onInput={(event) => set_text(event.currentTarget.value)}
+                aria-describedby="vertices" onInput={(event) => set_typed({ text: event.currentTarget.value, beside: selected })}
             />
             <span id="vertices" class="muted">of level {level.level.level}: 0 to {grouped(level.level.vertices - 1)}</span>
             <button type="submit" disabled={!exists}>Go</button>
