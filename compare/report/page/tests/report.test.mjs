@@ -140,9 +140,13 @@ test("a click on the surface selects the vertex under it", async () => {
         assert.ok(box);
         const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
         const shown = page.locator("[data-vertex]");
-        // Beyond half the way to the neighbours, and then a little beside the middle.
-        await page.mouse.click(middle.x + 110, middle.y + 20);
-        await page.locator(`[data-vertex]:not([data-vertex="${vertex}"])`).waitFor();
+        // Near a neighbour, some of which are hidden, and then a little beside the middle.
+        for (let i = 0; i < 12; ++i) {
+            const angle = (i * Math.PI) / 6;
+            await page.mouse.click(middle.x + 50 * Math.cos(angle), middle.y + 50 * Math.sin(angle));
+            if ((await shown.getAttribute("data-vertex")) !== String(vertex)) break;
+        }
+        assert.notEqual(await shown.getAttribute("data-vertex"), String(vertex));
         await page.mouse.click(middle.x + 12, middle.y + 9);
         await page.locator(`[data-vertex="${vertex}"]`).waitFor();
         assert.equal(await shown.count(), 1);
