@@ -34,6 +34,17 @@ std::vector<std::int32_t> coded(const std::vector<core::Ancestor>& ancestors) {
     return out;
 }
 
+// The ends of edges that are sharp, or still semi-sharp, and no boundary.
+Indices sharp_edges(const core::SchemeLevel& scheme) {
+    Indices out;
+    for (Index e = 0; e < scheme.topology.edge_count(); ++e) {
+        if (!core::is_sharp(scheme.sharpness.edge[e]) || scheme.topology.is_boundary_edge(e)) continue;
+        const auto& ends = scheme.topology.edge_ends[e];
+        out.insert(out.end(), ends.begin(), ends.end());
+    }
+    return out;
+}
+
 Json weights_in_words(const core::Mask& mask, core::Weights weights) {
     Json out = Json::array();
     for (const auto& weight : core::weights_of<core::HighPrecision>(mask, weights))
@@ -87,6 +98,7 @@ Json LevelWriter::add(int level) {
     const core::SchemeLevel& scheme = exact.scheme;
     Json out{{"level", level}, {"vertices", scheme.topology.vertex_count}};
     out["triangles"] = chunk_.add(flat(scheme.topology.triangles));
+    out["sharp"] = chunk_.add(sharp_edges(scheme));
     if (level > 0) out["ancestors"] = chunk_.add(coded(exact.ancestors));
     Indices classes;
     classes.reserve(scheme.classes.size());

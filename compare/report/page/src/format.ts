@@ -129,6 +129,8 @@ export interface Level {
     vertices: number;
     /// u32, three a face. Face f of the level before became faces 4f to 4f + 3.
     triangles: ArrayRef;
+    /// u32, the two ends of each edge that is sharp or still semi-sharp and no boundary.
+    sharp: ArrayRef;
     /// i32, one a vertex: index v of the parent's vertex, or -1 - (3f + i) for edge i of its face f; absent at level 0.
     ancestors?: ArrayRef;
     /// u8, u16 or u32, whichever is enough: index into `classes`, `rules`.

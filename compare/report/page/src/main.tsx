@@ -7,13 +7,15 @@ import type { Report } from "./format";
 import { CasePage } from "./model";
 import { Overview } from "./overview";
 import { use_route } from "./route";
+import { worst_of } from "./verdicts";
 
 const kProject = "loopcheck";
 
 function Page({ report }: { report: Report }) {
     const route = use_route();
-    const alone = report.cases.length === 1;
-    const shown = route ?? (alone ? { case_index: 0, result_index: 0 } : null);
+    const [only, ...others] = report.cases;
+    const alone = only !== undefined && others.length === 0;
+    const shown = route ?? (alone ? { case_index: 0, result_index: worst_of(only.results) } : null);
     const case_shown = shown && report.cases[shown.case_index];
     useEffect(() => {
         document.title = [case_shown?.model, `${kProject} ${report.command}`].filter(Boolean).join(" \u2013 ");

@@ -26,6 +26,11 @@ export class MeshLevel {
         return this.chunk.array("u32", this.level.triangles);
     }
 
+    /// Pairs of vertices.
+    get sharp_edges(): Uint32Array {
+        return this.chunk.array("u32", this.level.sharp);
+    }
+
     /// Three coordinates a vertex; null where the subject is not in the file.
     positions(subject: string, points: Points): Float64Array | null {
         const all = points === "limit" ? this.level.limits?.positions : this.level.positions;

@@ -30,6 +30,10 @@ interface Drawing {
     exaggeration: number;
 }
 
+function surface_of(level: MeshLevel, positions: Float64Array): Surface {
+    return { positions, triangles: level.triangles, sharp_edges: level.sharp_edges };
+}
+
 function largest_finite(values: Float64Array | null): number {
     let out = 0;
     for (const value of values ?? []) if (value > out && value < Infinity) out = value;
@@ -60,11 +64,10 @@ export function SurfaceView({ level, frame, json, points, layers, layer, on_laye
     const set = (part: Partial<Drawing>) => set_drawing({ ...drawing, ...part });
 
     const subject = json?.subject ?? "ours";
-    const triangles = level.triangles;
     const ours = level.positions(subject, points) ?? level.positions("ours", points);
     const theirs = json ? level.positions(json.reference, points) : null;
-    const surface = useMemo(() => ours && { positions: ours, triangles }, [ours, triangles]);
-    const other = useMemo(() => theirs && { positions: theirs, triangles }, [theirs, triangles]);
+    const surface = useMemo(() => ours && surface_of(level, ours), [level, ours]);
+    const other = useMemo(() => theirs && surface_of(level, theirs), [level, theirs]);
     const scale = useMemo(
         () => (layer.kind === "numbers" ? ErrorScale.of(layer.values, layer.unit) : new ClassScale(layer.names)),
         [layer],

@@ -1,5 +1,5 @@
 // The verdicts: their order, sign and colour.
-import type { VerdictName } from "./format";
+import type { ResultSummary, VerdictName } from "./format";
 
 interface Look {
     /// Worst first when sorted by it.
@@ -20,6 +20,12 @@ export const kVerdicts: Record<VerdictName, Look> = {
 };
 
 export const kVerdictNames = Object.keys(kVerdicts) as VerdictName[];
+
+/// Index of the first of the worst.
+export function worst_of(results: ResultSummary[]): number {
+    const ranks = results.map((result) => kVerdicts[result.verdict].rank);
+    return Math.max(0, ranks.indexOf(Math.min(...ranks)));
+}
 
 export function Verdict({ of }: { of: VerdictName }) {
     const { sign, tone } = kVerdicts[of];
