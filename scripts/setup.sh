@@ -12,7 +12,7 @@ jobs=$(nproc)
 
 build_packages=(g++ cmake ninja-build libosd-dev libopenmesh-dev libglm-dev libfmt-dev libexpected-dev libboost-dev
                 nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev)
-test_packages=(clang-format python3 python3-jsonschema)
+test_packages=(clang-format python3 python3-jsonschema chromium)
 
 say() { printf '%s\n' "$*" >&2; }
 stop() { say "$*"; exit 4; }
