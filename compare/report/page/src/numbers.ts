@@ -9,16 +9,11 @@ export function hexfloat(x: number): string {
     const bits = new DataView(new ArrayBuffer(8));
     bits.setFloat64(0, x);
     const biased = (bits.getUint16(0) >> 4) & 0x7ff;
-    let fraction = bits.getBigUint64(0) & 0xfffffffffffffn;
-    let exponent = biased - 1023;
-    if (biased === 0) {
-        // Subnormal: the leading one moves before the point.
-        const shift = 53 - fraction.toString(2).length;
-        fraction = (fraction << BigInt(shift)) & 0xfffffffffffffn;
-        exponent = -1022 - shift;
-    }
+    const fraction = bits.getBigUint64(0) & 0xfffffffffffffn;
+    // Subnormal numbers have no leading one.
+    const [leading, exponent] = biased === 0 ? ["0", -1022] : ["1", biased - 1023];
     const digits = fraction.toString(16).padStart(13, "0").replace(/0+$/, "");
-    return `${sign}0x1${digits === "" ? "" : `.${digits}`}p${exponent < 0 ? "-" : "+"}${Math.abs(exponent)}`;
+    return `${sign}0x${leading}${digits === "" ? "" : `.${digits}`}p${exponent < 0 ? "-" : "+"}${Math.abs(exponent)}`;
 }
 
 /// Three digits: 0.0434, 1.43e+14, 0, "not finite".
