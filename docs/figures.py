@@ -72,24 +72,6 @@ def draw_levels(loopcheck, model, output, folder):
     figure.savefig(output, dpi=110)
 
 
-def draw_difference(loopcheck, model, output, folder):
-    """Where Warren's weights differ from Loop's, at level 3, on a log scale."""
-    rows = pathlib.Path(folder) / "w.csv"
-    subprocess.run([loopcheck, "compare", model, "--weights", "warren", "--levels", "3", "--csv", rows],
-                   stdout=subprocess.DEVNULL, check=False)  # exits with 1: they differ
-    vertices, faces = refined(loopcheck, model, folder, "--levels", "3")
-    with open(rows, newline="") as file:
-        error = np.array([float(row["error"]) for row in csv.DictReader(file) if row["level"] == "3"])
-    norm = LogNorm(1e-5, 2e-2)
-    face_error = np.clip(error[faces].max(axis=1), norm.vmin, norm.vmax)
-    figure = plt.figure(figsize=(7, 3.9))
-    axes = figure.add_axes([0, 0, 0.82, 1], projection="3d")
-    draw(axes, vertices, faces, plt.get_cmap("cividis")(norm(face_error)), edges=False, zoom=1.36)
-    bar = figure.colorbar(plt.cm.ScalarMappable(norm, "cividis"), cax=figure.add_axes([0.84, 0.12, 0.025, 0.76]))
-    bar.set_label("largest |difference| of a face's vertices, model units", fontsize=8)
-    figure.savefig(output, dpi=110)
-
-
 def draw_lab_figures(loopcheck, model, output, folder):
     """The lab report's figures 3 and 4: Loop's scheme, and its adaptive variant as the report's program had it."""
     adaptive = ["--adaptive", "--neighbours", "first-vertex-ring"]
@@ -602,7 +584,6 @@ def main():
         draw_lab_figures(loopcheck, cow, output / "adaptive-lab.png", folder)
         draw_three_ways(loopcheck, cow, output / "adaptive-three-ways.png", folder)
         draw_deviations(loopcheck, output, folder)
-        draw_difference(loopcheck, cow, output / "cow-warren.png", folder)
         draw_characteristic_maps(loopcheck, output / "characteristic-maps.png", folder)
         draw_basis(loopcheck, curves / "pulse.txt", output / "curve-basis.png", folder)
         draw_curve_errors(loopcheck, curves, output / "curve-errors.png", folder)

@@ -35,7 +35,7 @@ async function shoot(name, command, height, prepare) {
 const to_case = (page) => page.evaluate(() => document.getElementById("case")?.scrollIntoView());
 
 await shoot("report-table", ["suite", basename(models), "--levels", "3", "--jobs", "2"], 760, async () => {});
-await shoot("report-cow", ["compare", join(basename(models), "cow.obj"), "--weights", "warren", "--levels", "3"], 960,
+await shoot("report-cow", ["compare", join(basename(models), "cow.obj"), "--weights", "warren", "--levels", "3"], 1060,
     async (page) => {
         await page.locator(".worst button").first().click();
         await page.getByRole("button", { name: "Whole model" }).click();
