@@ -3,7 +3,6 @@
 usage: figures.py LOOPCHECK MODELS OUTPUT
 """
 
-import csv
 import json
 import math
 import pathlib
@@ -16,7 +15,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.colors import LogNorm  # noqa: E402
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # noqa: E402
 
 
