@@ -1,6 +1,7 @@
 // loopcheck curve: a B-spline curve, its subdivision, its limit and its peers.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -8,7 +9,7 @@
 #include "compare/cli/command.h"
 #include "compare/curve/lab_report.h"
 #include "compare/memory.h"
-#include "compare/report/curve.h"
+#include "compare/report/html/curve_case.h"
 #include "compare/words.h"
 #include "core/bspline/limit.h"
 #include "core/mesh/io/number.h"
@@ -22,6 +23,7 @@ struct CurveFlags {
     std::string points, ends, peer, json, csv, svg, matrix;
     std::string section;  // of the lab report
     WorkFlags work;
+    HtmlFlags html;
     int degree = 3;
     bool closed = false, lab_report = false;
     std::optional<double> tolerance;
@@ -47,7 +49,9 @@ std::optional<core::Error> check_size(const core::Curve<glm::dvec3>& curve, cons
     const double points = last_level_points(curve, flags);
     const double weights =
         flags.matrix.empty() ? 0 : static_cast<double>(curve.size()) * (curve.shape().degree + 1);
-    const double bytes = points * kCurveBytesPerPoint + weights * kMatrixBytesPerWeight;
+    const double shown = flags.html.wanted() ? std::min(points, static_cast<double>(flags.html.vertices)) : 0;
+    const double bytes =
+        points * kCurveBytesPerPoint + shown * kShownBytesPerPoint + weights * kMatrixBytesPerWeight;
     return check_memory(fmt::format("Level {} has up to {:.0f} points", flags.work.levels, points), bytes,
                         flags.work.memory_limit());
 }
@@ -86,6 +90,8 @@ bool write_files(const Context& context, const CurveFlags& flags, const CurveRep
     return write(flags.json, [&] { return curve_as_json(report, context.subjects); }) &&
            write(flags.csv, [&] { return curve_as_csv(report); }) &&
            write(flags.svg, [&] { return curve_as_svg(report, flags.magnify); }) &&
+           write(flags.html.path,
+                 [&] { return curve_as_html(report, flags.html.vertices, context.subjects); }) &&
            (flags.matrix.empty() || write_matrix(context, flags, report.curve));
 }
 
@@ -107,7 +113,8 @@ int run_curve(const Context& context, const CurveFlags& flags) {
         context.err << "curve takes a file of points, or --lab-report.\n";
         return kExitUsage;
     }
-    const std::array outputs{flags.json, flags.csv, flags.svg, flags.matrix};
+    if (!flags.html.check(context)) return kExitUsage;
+    const std::array outputs{flags.json, flags.csv, flags.svg, flags.matrix, flags.html.path};
     const std::array inputs{flags.points};
     if (outputs_clash(context, outputs, inputs)) return kExitUsage;
     const Subject* subject = flags.peer.empty() ? nullptr : find_or_complain(context, flags.peer, "double");
@@ -165,6 +172,7 @@ Command add_curve(CLI::App& program) {
                      "say which level, and how many points, are within this distance of the curve")
         ->check(check_positive);
     command->add_option("--json", flags->json, "write the report as JSON");
+    flags->html.add_to(*command, 100'000);
     command->add_option("--csv", flags->csv, "write every point of every level, and where the curve is");
     CLI::Option* svg = command->add_option("--svg", flags->svg, "write a picture");
     command

@@ -6,7 +6,7 @@
 
 #include "compare/cli/command.h"
 #include "compare/cli/surface_flags.h"
-#include "compare/report/surface.h"
+#include "compare/report/html/surface_case.h"
 #include "reference/opensubdiv/opensubdiv.h"
 
 namespace loopcheck::compare {
@@ -16,6 +16,7 @@ struct LimitFlags {
     std::string model, json;
     WayFlag way{"all"};
     RuleFlags rules;
+    HtmlFlags html;
     SurfaceCheck check;
     bool triangulate = false;
 };
@@ -25,7 +26,8 @@ int run_limit(const Context& context, const LimitFlags& flags) {
         context.err << "--approx-smooth must not be above --approx-sharp.\n";
         return kExitUsage;
     }
-    const std::array outputs{flags.json};
+    if (!flags.html.check(context)) return kExitUsage;
+    const std::array outputs{flags.json, flags.html.path};
     const std::array inputs{flags.model};
     if (outputs_clash(context, outputs, inputs)) return kExitUsage;
     const auto model = load_or_complain(context, flags.model, flags.triangulate);
@@ -51,6 +53,10 @@ int run_limit(const Context& context, const LimitFlags& flags) {
     context.out << surface_as_text(report, reference::opensubdiv_version());
     if (!flags.json.empty() &&
         !write_or_complain(context, flags.json, surface_as_json(report, context.subjects)))
+        return kExitUsage;
+    if (flags.html.wanted() && !write_or_complain(context, flags.html.path,
+                                                  surface_as_html(report, model->mesh, options,
+                                                                  flags.html.vertices, context.subjects)))
         return kExitUsage;
     return report.exit_code();
 }
@@ -80,6 +86,7 @@ Command add_limit(CLI::App& program) {
         ->check(CLI::Range(kLeastSamples, kMostSamples));
     command->add_flag("--triangulate", flags->triangulate, "split polygons by a fan from their first corner");
     command->add_option("--json", flags->json, "write the report as JSON");
+    flags->html.add_to(*command, 100'000);
     return [flags](const Context& context) { return run_limit(context, *flags); };
 }
 

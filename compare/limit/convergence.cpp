@@ -14,14 +14,16 @@ using core::Index;
 using core::VertexRule;
 using Kind = core::VertexClass::Kind;
 
-double distance(const DoubleDouble3& limit, const glm::dvec3& p, const glm::dvec3& rest) {
+// Zero where it may be all rounding, of coordinates up to `largest`.
+double distance(const DoubleDouble3& limit, const glm::dvec3& p, const glm::dvec3& rest, double largest) {
     glm::dvec3 d;
     for (int i = 0; i < 3; ++i) d[i] = (p[i] - limit[i].high) + (rest[i] - limit[i].low);
-    return std::hypot(d.x, d.y, d.z);
+    const double length = std::hypot(d.x, d.y, d.z);
+    return length <= 0x1p-90 * largest ? 0 : length;
 }
 
-// What the rings around the irregular vertices of a level shrink by, at most, and at least 1/4; nothing where that is
-// not known of one of them.
+// What the rings around the irregular vertices of a level shrink by, at most, and at least 1/4; nothing where
+// that is not known of one of them.
 std::optional<double> slowest_ring(const core::SchemeLevel& level) {
     double out = 1. / 4;
     for (Index v = 0; v < level.topology.vertex_count; ++v) {
@@ -33,16 +35,18 @@ std::optional<double> slowest_ring(const core::SchemeLevel& level) {
             continue;
         }
         const auto sectors = star.sectors();
-        const bool regular = star.rule() == VertexRule::Crease &&
-                             std::all_of(sectors.begin(), sectors.end(), [](const auto& s) { return s.faces == 3; });
+        const bool regular =
+            star.rule() == VertexRule::Crease &&
+            std::all_of(sectors.begin(), sectors.end(), [](const auto& s) { return s.faces == 3; });
         if (!regular) return std::nullopt;
     }
     return out;
 }
 
 bool has_dart(const core::SchemeLevel& level) {
-    return std::any_of(level.classes.begin(), level.classes.end(),
-                       [](const core::VertexClass& c) { return c.kind == Kind::Dart || c.kind == Kind::SemiSharp; });
+    return std::any_of(level.classes.begin(), level.classes.end(), [](const core::VertexClass& c) {
+        return c.kind == Kind::Dart || c.kind == Kind::SemiSharp;
+    });
 }
 
 }  // namespace
@@ -76,14 +80,15 @@ std::vector<ConvergencePoint> convergence(const Witness& witness, int levels) {
             ConvergencePoint& point = points[level.scheme.classes[v]];
             ++point.vertices;
             point.distance =
-                std::max(point.distance, distance(oracle.position(v), level.exact[v], level.exact_rest[v]));
+                std::max(point.distance, distance(oracle.position(v), level.exact[v], level.exact_rest[v],
+                                                  witness.largest_coordinate));
         }
         for (auto& [vertex_class, point] : points) {
             point.vertex_class = vertex_class;
             point.level = l;
             if (!factors.contains(vertex_class))
-                factors[vertex_class] =
-                    convergence_factor(vertex_class, witness.levels[levels - 1].scheme, witness.options.weights);
+                factors[vertex_class] = convergence_factor(vertex_class, witness.levels[levels - 1].scheme,
+                                                           witness.options.weights);
             point.factor = factors[vertex_class];
             out.push_back(point);
         }

@@ -1,6 +1,7 @@
 // Reports of a curve.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +41,9 @@ std::string curve_as_csv(const CurveReport& report);
 
 /// Levels that a picture shows: more than three look like the curve.
 inline constexpr int kDrawnLevels = 3;
+
+/// The two coordinates that vary most, ascending: those that a picture shows.  Requires a point.
+std::array<int, 2> drawn_axes(const std::vector<glm::dvec3>& points);
 
 /// Control polygon, refined polygons and the exact curve; the polygons drawn `magnify` times as far from the
 /// curve as they are.  Of three coordinates the two that vary most.

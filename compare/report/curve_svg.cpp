@@ -18,24 +18,30 @@ constexpr double kWidth = 900, kMargin = 40, kLegendLine = 22, kMostHeight = 900
 constexpr double kUnseen = 0.1;  // of a pixel
 constexpr std::size_t kMostFlatPoints = 100000;
 
+struct Box {
+    glm::dvec3 low, high, half;  // half: of the extent, so that it is finite where coordinates are large
+};
+
+Box box_of(const std::vector<glm::dvec3>& points) {
+    glm::dvec3 low(points.front()), high(points.front());
+    for (const glm::dvec3& p : points) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return {low, high, high / 2.0 - low / 2.0};
+}
+
 // From the two coordinates that vary most to the page, y up.
 class Page {
   public:
     explicit Page(const std::vector<glm::dvec3>& points) {
-        glm::dvec3 low(points.front()), high(points.front());
-        for (const glm::dvec3& p : points) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-        // Halved, so that the extent of large coordinates is finite.
-        const glm::dvec3 extent = high / 2.0 - low / 2.0;
-        std::array<int, 3> order{0, 1, 2};
-        std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return extent[a] > extent[b]; });
-        across_ = std::min(order[0], order[1]);
-        up_ = std::max(order[0], order[1]);
-        left_ = low[across_];
-        top_ = high[up_];
-        const double width = 2 * extent[across_], height = 2 * extent[up_];
+        const Box box = box_of(points);
+        const auto axes = drawn_axes(points);
+        across_ = axes[0];
+        up_ = axes[1];
+        left_ = box.low[across_];
+        top_ = box.high[up_];
+        const double width = 2 * box.half[across_], height = 2 * box.half[up_];
         scale_ = std::min(width > 0 ? (kWidth - 2 * kMargin) / width : 1e300,
                           height > 0 ? (kMostHeight - 2 * kMargin) / height : 1e300);
         if (!(scale_ < 1e300)) scale_ = 1;
@@ -107,6 +113,13 @@ std::string line_of(const std::string& path, std::string_view style) {
 }
 
 }  // namespace
+
+std::array<int, 2> drawn_axes(const std::vector<glm::dvec3>& points) {
+    const glm::dvec3 half = box_of(points).half;
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return half[a] > half[b]; });
+    return {std::min(order[0], order[1]), std::max(order[0], order[1])};
+}
 
 std::string curve_as_svg(const CurveReport& report, double magnify) {
     const auto& curve = report.curve;

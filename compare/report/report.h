@@ -1,6 +1,7 @@
 // The reports: the same results as text, JSON, CSV, PLY and JUnit XML.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +38,14 @@ std::string suite_as_text(const SuiteResult& suite, std::span<const Subject> sub
 std::string limit_deviations_as_text(const SuiteResult& suite);
 /// The last line of it.
 std::string suite_summary(const SuiteResult& suite);
-/// The same of comparisons whose exit code is another: "agree: 3 comparisons and 2 of limits of 1 model, levels 0 to 5:
-/// 0 failed, ...".
+/// The same of comparisons whose exit code is another: "agree: 3 comparisons and 2 of limits of 1 model,
+/// levels 0 to 5: 0 failed, ...".
 std::string summary_in_words(const SuiteResult& suite, int exit_code);
+
+/// "0 failed, 0 differs, 2 known deviation, ...": how often each verdict was given.
+std::string verdicts_in_words(const std::function<std::size_t(Verdict)>& count);
+/// "1 model", "2 models".
+std::string counted(std::size_t n, std::string_view noun);
 
 /// The document of docs/report.schema.json.
 std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<const Subject> subjects,

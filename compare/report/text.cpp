@@ -179,18 +179,23 @@ std::string comparison_as_text(const ModelReport& report, std::span<const Subjec
     return out;
 }
 
-std::string summary_in_words(const SuiteResult& suite, int exit_code) {
-    const auto counted = [](std::size_t n, std::string_view noun) {
-        return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-    };
+std::string verdicts_in_words(const std::function<std::size_t(Verdict)>& count) {
     std::vector<std::string> parts;
     for (const Verdict verdict : {Verdict::Failed, Verdict::Differs, Verdict::KnownDeviation,
                                   Verdict::WithinRounding, Verdict::Identical, Verdict::NotSupported})
-        parts.push_back(fmt::format("{} {}", suite.count(verdict), name(verdict)));
+        parts.push_back(fmt::format("{} {}", count(verdict), name(verdict)));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string counted(std::size_t n, std::string_view noun) {
+    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+std::string summary_in_words(const SuiteResult& suite, int exit_code) {
     return fmt::format(
         "{}: {} and {} of limits of {}, levels 0 to {}: {}{}", exit_code == 0 ? "agree" : "FAIL",
         counted(suite.rows.size(), "comparison"), suite.limit_rows(), counted(suite.models, "model"),
-        suite.levels, fmt::join(parts, ", "),
+        suite.levels, verdicts_in_words([&](Verdict verdict) { return suite.count(verdict); }),
         suite.unreadable.empty() ? ""
                                  : fmt::format(", {} not compared", counted(suite.unreadable.size(), "model")));
 }

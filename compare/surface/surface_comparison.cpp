@@ -149,17 +149,22 @@ class Judge {
         const PatchAt& patch = truth.patches[blurs(settings_of(out_.check)) ? 1 : 0];
         if (!is_measured(sample, patch)) return;
         SurfaceStats& stats = out_.classes[truth.face->face_class()];
+        FaceNumbers& numbers = out_.faces[sample.location.face];
+        numbers.face_class = truth.face->face_class();
         ++stats.samples;
         if (!rows) {
             ++stats.beyond;
+            numbers.position = std::numeric_limits<double>::infinity();
             return;
         }
         const Stencil& exact = *truth.surface;
         const core::SurfaceRows off = difference(*rows, exact);
-        report(stats, *rows, exact, patch);
+        report(stats, numbers, *rows, exact, patch);
+        bound_ = 0;
         const double use = patch.kind == PatchAt::Kind::Regular
                                ? regular_use(off, *rows, exact, patch, *truth.face)
                                : approximate_use(stats, off, exact, patch, *truth.face);
+        enlarge(numbers.bound, bound_);
         stats.bound_use = larger(stats.bound_use, use);
         if (!(use <= 1)) ++stats.beyond;
     }
@@ -167,11 +172,22 @@ class Judge {
   private:
     DeviationCount& count(Id id) { return out_.deviations[static_cast<int>(id)]; }
 
-    void report(SurfaceStats& stats, const core::SurfaceRows& rows, const Stencil& exact,
-                const PatchAt& patch) {
+    // The first value replaces none.
+    static void enlarge(double& largest, double value) {
+        largest = std::isnan(largest) ? value : larger(largest, value);
+    }
+
+    void report(SurfaceStats& stats, FaceNumbers& numbers, const core::SurfaceRows& rows,
+                const Stencil& exact, const PatchAt& patch) {
         const Values a = values_of(rows, mesh_.positions()), b = values_of(exact, mesh_.positions());
-        stats.position = larger(stats.position, largest_coordinate(a[0] - b[0]));
-        if (exact.smoothness != core::Smoothness::NoPlane) stats.normal = larger(stats.normal, angle(a, b));
+        const double position = largest_coordinate(a[0] - b[0]);
+        stats.position = larger(stats.position, position);
+        enlarge(numbers.position, position);
+        if (exact.smoothness != core::Smoothness::NoPlane) {
+            const double normal = angle(a, b);
+            stats.normal = larger(stats.normal, normal);
+            enlarge(numbers.normal, normal);
+        }
         if (exact.smoothness != core::Smoothness::Regular) return;
         Values off;
         for (int d = 0; d < kDerivatives; ++d) off[d] = a[d] - (order(d) == 2 ? patch.turn : 1.) * b[d];
@@ -185,6 +201,7 @@ class Judge {
                        const PatchAt& patch, const FaceAround& face) {
         const double rounding = face.is_semi_sharp() ? kFloatShares : 1;
         double use = use_of(off, exact, patch.depth, 0, 0) / rounding;
+        bound_ = allowed(exact, 0, patch.depth) * rounding * out_.largest_coordinate;
         if (exact.smoothness == core::Smoothness::Regular) {
             use = larger(use, use_of(off, exact, patch.depth, 1, 2) / rounding);
             use = larger(use, patch.turn > 0 && !face.is_semi_sharp()
@@ -208,7 +225,9 @@ class Judge {
         if (use <= 1) return use;
         ++seen.shown;
         seen.largest = larger(seen.largest, size_of(off.weights[0]));
-        return share_of(values_of(off, mesh_.positions())[0], (1 + kPatchMagnitude) * face.spread.half);
+        const glm::dvec3 bound = (1 + kPatchMagnitude) * face.spread.half;
+        bound_ = largest_coordinate(bound);
+        return share_of(values_of(off, mesh_.positions())[0], bound);
     }
 
     // Second derivatives of a turned triangle must be those of the opposite sign.  Where sharpness is finite,
@@ -251,7 +270,9 @@ class Judge {
         for (int d = 0; d < (derivatives ? kDerivatives : 1); ++d) {
             const glm::dvec3 bound = bound_of(exact, patch, known, d);
             use = larger(use, share_of(error[d], bound));
-            if (d == 0) stats.predicted = std::max(stats.predicted, largest_coordinate(bound));
+            if (d > 0) continue;
+            bound_ = largest_coordinate(bound);
+            stats.predicted = std::max(stats.predicted, bound_);
         }
         return misses_chaikin(face) ? chaikin_use(off, face, use) : use;
     }
@@ -300,6 +321,7 @@ class Judge {
     const core::TriangleMesh& mesh_;
     SurfaceComparison& out_;
     LocalErrors& local_;
+    double bound_ = 0;  // of the position of the sample that is judged
 };
 
 // The rules that OpenSubdiv follows where chaikin-overweight is on the list, and whether that matters.
@@ -376,6 +398,7 @@ class Run {
             c.diagonal = mesh.diagonal();
             c.largest_coordinate = mesh.largest_coordinate();
             c.stride = stride_of(mesh);
+            c.faces.resize(static_cast<std::size_t>(mesh.face_count()));
             Group& group = group_of(c.check, options);
             c.overweight = group.overweight;
             group.members.push_back(i);
@@ -545,6 +568,7 @@ std::vector<SurfaceComparison> compare_surfaces(const core::TriangleMesh& mesh,
     for (SurfaceComparison& c : out)
         if (c.verdict == Verdict::NotSupported || c.verdict == Verdict::Failed) {
             c.classes.clear();
+            c.faces.clear();
             c.deviations = {};
         }
     return out;

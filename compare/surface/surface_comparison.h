@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,6 +60,15 @@ struct SurfaceStats {
     std::optional<double> lambda;  ///< the largest `eigenvalue` of the class
 };
 
+/// What was seen of a face; NaN where it was not looked at or has no surface.
+struct FaceNumbers {
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    double position = kNone;  ///< as in `SurfaceStats`; infinite where the surface is missing
+    double bound = kNone;     ///< largest bound of the position, in model units
+    double normal = kNone;    ///< as in `SurfaceStats`
+    FaceClass face_class;
+};
+
 /// How often a deviation was to be seen and was seen, in samples.
 struct DeviationCount {
     std::size_t expected = 0;  ///< must show there
@@ -75,6 +85,7 @@ struct SurfaceComparison {
     Verdict verdict = Verdict::WithinRounding;
     std::vector<std::string> notes;  ///< the verdict in words, a sentence each
     std::map<FaceClass, SurfaceStats> classes;
+    std::vector<FaceNumbers> faces;  ///< one a face of the mesh; empty where nothing was compared
     std::array<DeviationCount, kSurfaceDeviations> deviations{};
     core::Index stride = 1;            ///< every so many-th face was looked at
     std::size_t without_surface = 0;   ///< faces that have none: holes, and boundaries under the option none

@@ -23,7 +23,8 @@ constexpr int kGzip = 15 + 16;  // the largest window, and a header that has no 
 class Gzip {
   public:
     Gzip() {
-        if (deflateInit2(&stream_, kLevel, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+        if (deflateInit2(&stream_, kLevel, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+            throw std::bad_alloc();
     }
     ~Gzip() { deflateEnd(&stream_); }
     Gzip(const Gzip&) = delete;
@@ -64,8 +65,7 @@ std::string base64(std::string_view bytes) {
         std::uint32_t group = 0;
         for (std::size_t i = 0; i < 3; ++i)
             group = group << 8U | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i)
-            out += i <= count ? kDigits[group >> (18 - 6 * i) & 63U] : '=';
+        for (std::size_t i = 0; i < 4; ++i) out += i <= count ? kDigits[group >> (18 - 6 * i) & 63U] : '=';
     }
     return out;
 }
@@ -77,7 +77,8 @@ ArrayRef ChunkWriter::add(std::string_view type, std::size_t element_size, std::
     const std::size_t count = bytes.size() / element_size, at = planes_.size();
     planes_.reserve(at + bytes.size());
     for (std::size_t plane = 0; plane < element_size; ++plane) {
-        const std::size_t byte = std::endian::native == std::endian::little ? plane : element_size - 1 - plane;
+        const std::size_t byte =
+            std::endian::native == std::endian::little ? plane : element_size - 1 - plane;
         for (std::size_t i = 0; i < count; ++i) planes_ += static_cast<char>(bytes[i * element_size + byte]);
     }
     // The base is stored combined with its own base, if it has one.

@@ -1,4 +1,5 @@
-// One chunk of an HTML report: a header and arrays, compressed.  compare/report/page/src/format.ts has the format.
+// One chunk of an HTML report: a header and arrays, compressed.  compare/report/page/src/format.ts has the
+// format.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +21,9 @@ using ArrayRef = std::size_t;
 /// Gathers the arrays of a chunk, in byte planes.
 class ChunkWriter {
   public:
-    /// Adds an array of 8-, 16- or 32-bit integers, float or double; a point is three doubles.  `base` is an array of
-    /// the same type and length whose bits this one's are combined with by exclusive or: what is equal, or nearly,
-    /// then compresses to nothing.
+    /// Adds an array of 8-, 16- or 32-bit integers, float or double; a point is three doubles.  `base` is an
+    /// array of the same type and length whose bits this one's are combined with by exclusive or: what is
+    /// equal, or nearly, then compresses to nothing.
     template <class Element>
     ArrayRef add(const std::vector<Element>& values, std::optional<ArrayRef> base = std::nullopt) {
         if constexpr (std::is_same_v<Element, glm::dvec3>)

@@ -93,9 +93,11 @@ void MeshCase::add(const LimitRecord& record) {
 
 void MeshCase::end(const Comparison& comparison, const std::optional<LimitComparison>& limits) {
     Pair& pair = pairs_.back();
-    if (comparison.verdict == Verdict::KnownDeviation) pair.deviation = index_of_deviation(comparison.deviation);
+    if (comparison.verdict == Verdict::KnownDeviation)
+        pair.deviation = index_of_deviation(comparison.deviation);
     pair.comparison = json_of(comparison, limits, Detail::Classes);
-    for (const char* said_of_the_case : {"boundary", "creasing", "weights"}) pair.comparison.erase(said_of_the_case);
+    for (const char* said_of_the_case : {"boundary", "creasing", "weights"})
+        pair.comparison.erase(said_of_the_case);
 }
 
 Json MeshCase::positions(ChunkWriter& chunk, std::size_t level, ArrayRef exact) const {
@@ -132,7 +134,8 @@ Json MeshCase::limits(ChunkWriter& chunk, std::size_t level, ArrayRef exact_posi
 
 Json MeshCase::Numbers::put_into(ChunkWriter& chunk, const Json& base) const {
     const auto put_in = [&](const char* name, const std::vector<float>& values) {
-        return chunk.add(values, base.contains(name) ? std::optional(base[name].get<ArrayRef>()) : std::nullopt);
+        return chunk.add(values,
+                         base.contains(name) ? std::optional(base[name].get<ArrayRef>()) : std::nullopt);
     };
     const ArrayRef subject = put_in("subject_error", subject_error);
     return {{"subject_error", subject},
@@ -150,7 +153,8 @@ Json MeshCase::numbers(ChunkWriter& chunk, std::size_t level) const {
             out.push_back(nullptr);
             continue;
         }
-        // An earlier comparison of the same subject has the same errors of it and, in one precision, the same bounds.
+        // An earlier comparison of the same subject has the same errors of it and, in one precision, the same
+        // bounds.
         const auto same = std::find_if(before.begin(), before.end(),
                                        [&](std::size_t i) { return pairs_[i].subject == pair.subject; });
         const Json base = same != before.end() ? out[*same] : Json::object();
@@ -174,9 +178,8 @@ Json MeshCase::numbers(ChunkWriter& chunk, std::size_t level) const {
 }
 
 std::optional<std::string> MeshCase::chunk(const Witness& witness) && {
-    const bool compared = std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& pair) {
-        return !pair.comparison["levels"].empty();
-    });
+    const bool compared = std::any_of(pairs_.begin(), pairs_.end(),
+                                      [](const Pair& pair) { return !pair.comparison["levels"].empty(); });
     if (!compared) return std::nullopt;
     ChunkWriter chunk;
     LevelWriter writer(chunk, witness, shown_);

@@ -25,7 +25,8 @@ class MeshCase {
     void add(const LimitRecord& record);
     void end(const Comparison& comparison, const std::optional<LimitComparison>& limits);
 
-    /// The chunk; nothing where nothing was compared.  `witness`, of the rules of the first subject, has all levels.
+    /// The chunk; nothing where nothing was compared.  `witness`, of the rules of the first subject, has all
+    /// levels.
     std::optional<std::string> chunk(const Witness& witness) &&;
 
   private:

@@ -60,7 +60,8 @@ int shown_levels(const core::TriangleMesh& mesh, int levels, std::size_t most_ve
     return out;
 }
 
-double shown_bytes(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices, std::size_t comparisons) {
+double shown_bytes(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices,
+                   std::size_t comparisons) {
     const int shown = shown_levels(mesh, levels, most_vertices);
     if (shown == 0) return 0;
     return level_size(mesh, shown - 1).vertices *
@@ -103,8 +104,8 @@ Json LevelWriter::add(int level) {
     Indices classes;
     classes.reserve(scheme.classes.size());
     for (const VertexClass& c : scheme.classes)
-        classes.push_back(static_cast<std::uint32_t>(
-            std::lower_bound(classes_.begin(), classes_.end(), c) - classes_.begin()));
+        classes.push_back(static_cast<std::uint32_t>(std::lower_bound(classes_.begin(), classes_.end(), c) -
+                                                     classes_.begin()));
     out["classes"] = chunk_.add_indices(classes, classes_.size());
     if (level > 0) add_rows(out, level);
     out["exact"] = chunk_.add(exact.exact);

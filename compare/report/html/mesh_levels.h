@@ -15,9 +15,11 @@ namespace loopcheck::compare {
 int shown_levels(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices);
 
 /// Peak memory of what is gathered of a case with so many comparisons and of making its chunk, in bytes.
-double shown_bytes(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices, std::size_t comparisons);
+double shown_bytes(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices,
+                   std::size_t comparisons);
 
-/// That of the case and of each comparison, in bytes per vertex of the last level shown.  A test measures them.
+/// That of the case and of each comparison, in bytes per vertex of the last level shown.  A test measures
+/// them.
 inline constexpr double kShownBytesPerVertex = 400;
 inline constexpr double kComparedBytesPerVertex = 300;
 
@@ -30,7 +32,8 @@ class LevelWriter {
     /// Level `level` without what subjects made of it.  Each once, in order.
     nlohmann::ordered_json add(int level);
 
-    /// The members `classes`, `rules`, `masks`, `left_out`, `convergence` and `largest_coordinate` of the header.
+    /// The members `classes`, `rules`, `masks`, `left_out`, `convergence` and `largest_coordinate` of the
+    /// header.
     void finish(nlohmann::ordered_json& header) &&;
 
   private:

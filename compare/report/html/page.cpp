@@ -8,7 +8,8 @@ namespace loopcheck::compare {
 namespace {
 
 #ifdef LOOPCHECK_HAS_PAGE
-// An array first: the length of a literal this long is too much for the compiler to count in a constant expression.
+// An array first: the length of a literal this long is too much for the compiler to count in a constant
+// expression.
 constexpr char kPageText[] =
 #include "page.inc"
     ;

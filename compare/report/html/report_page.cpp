@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "compare/report/document.h"
@@ -15,8 +16,11 @@ using Json = nlohmann::ordered_json;
 using Result = CaseSummary::Result;
 
 Json json_of(const Result& r) {
-    Json out{{"subject", r.subject},       {"reference", r.reference}, {"what", r.what},
-             {"verdict", name(r.verdict)}, {"deviations", r.deviations}};
+    Json out{{"subject", r.subject},
+             {"reference", r.reference},
+             {"what", r.what},
+             {"verdict", name(r.verdict)},
+             {"deviations", r.deviations}};
     out["largest"] = r.largest ? Json(*r.largest) : Json();
     out["largest_in_uM"] = r.largest ? Json(*r.largest / r.unit) : Json();
     out["notes"] = r.notes;
@@ -40,7 +44,8 @@ Json json_of(const CaseSummary& c, const std::optional<std::string>& chunk) {
 Json deviations_json(const std::vector<CaseSummary>& cases) {
     std::set<std::string> seen;
     for (const CaseSummary& c : cases)
-        for (const Result& result : c.results) seen.insert(result.deviations.begin(), result.deviations.end());
+        for (const Result& result : c.results)
+            seen.insert(result.deviations.begin(), result.deviations.end());
     Json out = Json::array();
     for (const KnownDeviation& deviation : known_deviations())
         if (seen.contains(std::string(deviation.name)))
@@ -66,13 +71,12 @@ Json subjects_json(std::span<const Subject> subjects) {
 // Of levels of refinement or of limits; `stats_of` gives the statistics of positions of one.
 template <class Levels, class StatsOf>
 std::optional<double> largest_difference(const Levels& levels, StatsOf stats_of) {
-    std::optional<double> out;
+    std::vector<double> differences;
     for (const auto& level : levels) {
         const ErrorStats stats = stats_of(total(level)).difference;
-        if (stats.not_finite > 0) return std::nullopt;
-        out = std::max(out.value_or(0), stats.max);
+        differences.push_back(stats.not_finite > 0 ? std::numeric_limits<double>::infinity() : stats.max);
     }
-    return out;
+    return largest_of(differences);
 }
 
 void add_results(const SuiteRow& row, std::vector<Result>& results) {
@@ -85,11 +89,21 @@ void add_results(const SuiteRow& row, std::vector<Result>& results) {
     Result limits{c.subject, c.reference, "limits", row.limits->verdict, {}, {}, c.unit(), row.limits->notes};
     for (const DeviationSeen& seen : row.limits->deviations)
         if (seen.vertices > 0) limits.deviations.emplace_back(seen.deviation->name);
-    limits.largest = largest_difference(row.limits->levels, [](const LimitStats& all) { return all.position; });
+    limits.largest =
+        largest_difference(row.limits->levels, [](const LimitStats& all) { return all.position; });
     results.push_back(std::move(limits));
 }
 
 }  // namespace
+
+std::optional<double> largest_of(std::span<const double> differences) {
+    std::optional<double> out;
+    for (const double difference : differences) {
+        if (!std::isfinite(difference)) return std::nullopt;
+        out = std::max(out.value_or(0), difference);
+    }
+    return out;
+}
 
 std::string report_page(const ReportHead& head, std::vector<CaseSummary> cases) {
     Json header{{"version", LOOPCHECK_VERSION},

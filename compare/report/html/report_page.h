@@ -18,12 +18,16 @@ struct CaseSummary {
         std::string subject, reference, what;
         Verdict verdict = Verdict::Identical;
         std::vector<std::string> deviations;  ///< names of those that were seen
-        std::optional<double> largest = {};   ///< largest difference in model units; nothing where there is none
-        double unit = 1;                      ///< what it is counted in
+        std::optional<double> largest =
+            {};           ///< largest difference in model units; nothing where there is none
+        double unit = 1;  ///< what it is counted in
         std::vector<std::string> notes;
     };
     std::vector<Result> results;
 };
+
+/// The largest of some differences; nothing where there is none, or one is not finite.
+std::optional<double> largest_of(std::span<const double> differences);
 
 /// What is said of the whole.
 struct ReportHead {

@@ -1,6 +1,6 @@
 // What a surface can be coloured by.
 import type { Chunk } from "./chunk";
-import type { Case, FaceNumbers } from "./format";
+import type { Case } from "./format";
 import type { MeshLevel, Points } from "./mesh_level";
 
 /// Values of one level: numbers on a scale, or indices of names.
@@ -58,7 +58,7 @@ export function face_layers(chunk: Chunk<Case>, level: MeshLevel, surface: numbe
     const children = 4 ** level.level.level;
     const spread = (values: ArrayLike<number>) =>
         Float32Array.from({ length: faces }, (_, f) => values[Math.floor(f / children)] ?? NaN);
-    const numbers = (id: keyof FaceNumbers, label: string, unit: string): Layer => ({
+    const numbers = (id: "position" | "bound" | "normal", label: string, unit: string): Layer => ({
         kind: "numbers", id, label, unit, per: "face", values: spread(chunk.array("f32", control[id])),
     });
     return [
@@ -67,7 +67,7 @@ export function face_layers(chunk: Chunk<Case>, level: MeshLevel, surface: numbe
         numbers("normal", "largest angle between the normals", "\u00b0"),
         {
             kind: "names", id: "face_class", label: "face class", per: "face", names: chunk.header.face_classes,
-            values: spread(chunk.array("u8", control.face_class)),
+            values: spread(chunk.indices(control.face_class)),
         },
     ];
 }
