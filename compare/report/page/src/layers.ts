@@ -15,6 +15,8 @@ export interface NumberLayer extends LayerBase {
     kind: "numbers";
     unit: string;
     values: ArrayLike<number>;
+    /// Those of faces belong to control faces, from which they were spread.
+    control?: ArrayLike<number>;
 }
 export interface NameLayer extends LayerBase {
     kind: "names";
@@ -58,9 +60,10 @@ export function face_layers(chunk: Chunk<Case>, level: MeshLevel, surface: numbe
     const children = 4 ** level.level.level;
     const spread = (values: ArrayLike<number>) =>
         Float32Array.from({ length: faces }, (_, f) => values[Math.floor(f / children)] ?? NaN);
-    const numbers = (id: "position" | "bound" | "normal", label: string, unit: string): Layer => ({
-        kind: "numbers", id, label, unit, per: "face", values: spread(chunk.array("f32", control[id])),
-    });
+    const numbers = (id: "position" | "bound" | "normal", label: string, unit: string): Layer => {
+        const values = chunk.array("f32", control[id]);
+        return { kind: "numbers", id, label, unit, per: "face", values: spread(values), control: values };
+    };
     return [
         numbers("position", "largest error of the position", "u M"),
         numbers("bound", "its predicted bound", "u M"),

@@ -72,6 +72,10 @@ function rules_of(report: Report, one: CaseSummary): string {
     return `boundary ${one.boundary}, creasing ${one.creasing}${weights}; `;
 }
 
+function pair_in_words(result: ResultSummary): string {
+    return `${result.subject} against ${result.reference}, ${result.what}`;
+}
+
 function ResultChoice({ summary, case_index, result_index }: {
     summary: CaseSummary;
     case_index: number;
@@ -84,7 +88,7 @@ function ResultChoice({ summary, case_index, result_index }: {
                     <li key={i}>
                         <a href={case_link(case_index, i)} aria-current={i === result_index ? "page" : undefined}
                             class={kVerdicts[result.verdict].tone}>
-                            {result.reference} {result.what} <Verdict of={result.verdict} />
+                            {pair_in_words(result)} <Verdict of={result.verdict} />
                         </a>
                     </li>
                 ))}
@@ -97,7 +101,7 @@ function Notes({ result }: { result: ResultSummary }) {
     return (
         <div class={`notes ${kVerdicts[result.verdict].tone}`}>
             <p>
-                <Verdict of={result.verdict} />: {result.subject} against {result.reference}, {result.what}
+                <Verdict of={result.verdict} />: {pair_in_words(result)}
                 {result.largest_in_uM !== null && `; largest difference ${short(result.largest_in_uM)} u M`}
             </p>
             {result.notes.length > 0 && <ul>{result.notes.map((note, i) => <li key={i}>{note}</li>)}</ul>}
@@ -141,6 +145,10 @@ function MeshPage({ report, chunk, summary, result }: {
         return [...face_layers(chunk, level, way), ...vertex_layers(chunk, level, comparison, shown_points)];
     }, [chunk, level, way, comparison, shown_points]);
     const layer = layers.find((one) => one.id === layer_id) ?? layers[0];
+    const values = useMemo(() => {
+        if (layer?.kind !== "numbers") return new Float32Array();
+        return Float32Array.from(layer.control ?? layer.values).filter((value) => !Number.isNaN(value));
+    }, [layer]);
     const go_to = (vertex: number) => {
         set_selected(vertex);
         set_flight({ vertex });
@@ -187,8 +195,11 @@ function MeshPage({ report, chunk, summary, result }: {
             )}
             <div class="plots">
                 {json !== undefined && <ErrorPlot comparison={json} />}
-                {level !== null && layer?.kind === "numbers" && (
-                    <Histogram values={Float32Array.from(layer.values)} title={`${layer.label}, level ${level.level.level}`} unit={layer.unit} />
+                {layer?.kind === "numbers" && layer.per === "face" && (
+                    <Histogram values={values} title={layer.label} unit={layer.unit} noun={{ one: "control face", many: "control faces" }} />
+                )}
+                {level !== null && layer?.kind === "numbers" && layer.per === "vertex" && (
+                    <Histogram values={values} title={`${layer.label}, level ${level.level.level}`} unit={layer.unit} noun={{ one: "vertex", many: "vertices" }} />
                 )}
                 {header.convergence.length > 0 && <ConvergencePlot points={header.convergence} />}
             </div>

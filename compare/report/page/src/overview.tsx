@@ -120,11 +120,11 @@ export function Overview({ report }: { report: Report }) {
         <section aria-labelledby="results">
             <h2 id="results">Results</h2>
             {rows.length > 1 && <Filter report={report} filters={filters} on_change={set_filters} />}
-            <p class="count" role="status">
+            {rows.length > 1 && <p class="count" role="status">
                 {selected.length === rows.length
                     ? counted(rows.length, "model")
                     : `${grouped(selected.length)} of ${counted(rows.length, "model")}`}
-            </p>
+            </p>}
             <Table
                 columns={columns} boundaries={boundaries} rows={selected.slice(0, shown)} sorting={sorting}
                 filters={filters}
@@ -250,7 +250,7 @@ function ResultRow({ row, columns, boundaries, filters, is_first }: {
                         {row.model}
                     </a>
                 )}
-                {" "}<span class="muted size">{counted(row.first_case.faces, "face")}</span>
+                {row.first_case.faces > 0 && <span class="muted size"> {counted(row.first_case.faces, "face")}</span>}
             </th>
             <td class={worst && kVerdicts[worst.result.verdict].tone}>{worst?.result.verdict}</td>
             {columns.map((column) => boundaries.map((boundary, i) => {

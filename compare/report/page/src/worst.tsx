@@ -1,7 +1,7 @@
 // The vertices or faces with the largest values of what is shown.
 import { useMemo } from "preact/hooks";
 
-import type { Layer } from "./layers";
+import type { Layer, NumberLayer } from "./layers";
 import type { MeshLevel } from "./mesh_level";
 import { short } from "./numbers";
 
@@ -29,20 +29,23 @@ export function WorstVertices({ level, layers, layer, selected, on_go }: {
     on_go: (vertex: number) => void;
 }) {
     // Names have no largest: then the first numbers there are.
-    const numbers = layer.kind === "numbers" ? layer : layers.find((one) => one.kind === "numbers");
-    const worst = useMemo(() => (numbers ? largest(numbers.values, kListed) : []), [numbers]);
-    if (numbers === undefined || numbers.kind !== "numbers") return null;
-    const vertex_of = (i: number) => (numbers.per === "vertex" ? i : level.triangles[3 * i]!);
+    const numbers = [layer, ...layers].find((one): one is NumberLayer => one.kind === "numbers");
+    const values = numbers?.control ?? numbers?.values ?? [];
+    const worst = useMemo(() => largest(values, kListed), [values]);
+    if (numbers === undefined) return null;
+    // The first of the faces that a control face became is at its first corner.
+    const vertex_of = (i: number) => (numbers.per === "vertex" ? i : level.triangles[3 * i * 4 ** level.level.level]!);
+    const noun = numbers.per === "vertex" ? "vertex" : "control face";
     return (
         <div class="worst">
-            <h3>Worst {numbers.per === "vertex" ? "vertices" : "faces"}</h3>
-            <p class="muted">{numbers.label}, level {level.level.level}</p>
+            <h3>Worst {numbers.per === "vertex" ? "vertices" : "control faces"}</h3>
+            <p class="muted">{numbers.label}{numbers.per === "vertex" && `, level ${level.level.level}`}</p>
             {worst.length === 0 ? <p>None: all are exactly 0.</p> : (
                 <ol>
                     {worst.map((i) => (
                         <li key={i}>
                             <button type="button" aria-pressed={vertex_of(i) === selected} onClick={() => on_go(vertex_of(i))}>
-                                {numbers.per} {i} <span class="muted">{short(numbers.values[i]!)} {numbers.unit}</span>
+                                {noun} {i} <span class="muted">{short(values[i]!)} {numbers.unit}</span>
                             </button>
                         </li>
                     ))}

@@ -89,13 +89,13 @@ render(
             <ErrorPlot comparison={comparison_of()} />
         </section>
         <section id="histogram">
-            <Histogram values={errors} title="Errors of ours at level 3" unit="u M" />
+            <Histogram noun={{ one: "vertex", many: "vertices" }} values={errors} title="Errors of ours at level 3" unit="u M" />
         </section>
         <section id="extreme">
-            <Histogram values={Float32Array.of(1e-45, 1, 3e38)} title="Extremes" unit="u M" />
+            <Histogram noun={{ one: "vertex", many: "vertices" }} values={Float32Array.of(1e-45, 1, 3e38)} title="Extremes" unit="u M" />
         </section>
         <section id="nothing">
-            <Histogram values={new Float32Array(100000)} title="Identical" unit="u M" />
+            <Histogram noun={{ one: "vertex", many: "vertices" }} values={new Float32Array(100000)} title="Identical" unit="u M" />
             <ConvergencePlot points={[]} />
         </section>
         <section id="convergence">

@@ -1,4 +1,4 @@
-// How many vertices are how far off, at one level.
+// How many vertices, or faces, are how far off.
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
@@ -48,27 +48,31 @@ export function bins_of(values: Float32Array): Bins {
 }
 
 interface HistogramProps {
+    /// Without NaN: what was not compared is not counted.
     values: Float32Array;
     title: string;
     unit: string;
+    /// What has a value.
+    noun: { one: string; many: string };
 }
 
-export function Histogram({ values, title, unit }: HistogramProps) {
+export function Histogram({ values, title, unit, noun }: HistogramProps) {
     const bins = useMemo(() => bins_of(values), [values]);
     const bars = useMemo(() => bars_of(bins, unit), [bins, unit]);
-    const draw = useMemo(() => (width: number) => options_of(bins, bars, unit, width), [bins, bars, unit]);
-    const reading = reading_of(bins, values.length, unit);
+    const draw = useMemo(() => (width: number) => options_of(bins, bars, unit, noun.many, width), [bins, bars, unit, noun.many]);
+    const reading = reading_of(bins, values.length, unit, noun);
     const rows = bars.map((bar) => [bar.name, String(bar.count)]);
     return (
-        <Figure title={title} reading={reading} numbers={{ head: [`error, ${unit}`, "vertices"], rows }}>
+        <Figure title={title} reading={reading} numbers={{ head: [`error, ${unit}`, noun.many], rows }}>
             <PlotCanvas label={`${title}. ${reading}`} height={kHeight} draw={draw} />
         </Figure>
     );
 }
 
-function reading_of({ identical, not_finite, largest }: Bins, all: number, unit: string): string {
-    if (all === 0) return "There are no vertices.";
-    const parts = [`${grouped(identical)} of ${counted(all, "vertex is", "vertices are")} identical`];
+function reading_of({ identical, not_finite, largest }: Bins, all: number, unit: string,
+    { one, many }: HistogramProps["noun"]): string {
+    if (all === 0) return `There are no ${many}.`;
+    const parts = [`${grouped(identical)} of ${counted(all, `${one} is`, `${many} are`)} identical`];
     if (largest > 0) parts.push(`the largest error is ${short(largest)} ${unit}`);
     if (not_finite > 0) parts.push(`${counted(not_finite, "is", "are")} not finite`);
     return `${parts.join("; ")}.`;
@@ -98,7 +102,7 @@ function bars_of({ identical, not_finite, step, first, counts }: Bins, unit: str
     ];
 }
 
-function options_of(bins: Bins, bars: Bar[], unit: string, width: number): Plot.PlotOptions {
+function options_of(bins: Bins, bars: Bar[], unit: string, many: string, width: number): Plot.PlotOptions {
     const { step, first, counts } = bins;
     const apart = [bars[0]!, ...(bins.not_finite > 0 ? [bars.at(-1)!] : [])];
     const centre = (bar: Bar) => (bar.x1 + bar.x2) / 2;
@@ -118,7 +122,7 @@ function options_of(bins: Bins, bars: Bar[], unit: string, width: number): Plot.
         marks: [
             Plot.gridY(count_ticks(most), { stroke: "var(--line)", strokeOpacity: 1 }),
             Plot.axisY(count_ticks(most), {
-                label: "vertices",
+                label: many,
                 labelArrow: "none",
                 tickFormat: grouped,
             }),
