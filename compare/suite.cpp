@@ -34,8 +34,8 @@ struct CaseResult {
 };
 
 // The row of one pair, kept for the report too where there is one.
-SuiteRow run_pair(const std::string& name, Referee& referee, const Subject& ours, const Subject& peer, Scope scope,
-                  MeshCase* shown) {
+SuiteRow run_pair(const std::string& name, Referee& referee, const Subject& ours, const Subject& peer,
+                  Scope scope, MeshCase* shown) {
     const bool limits = scope == Scope::Limits && ours.limit && peer.limit;
     SuiteRow row{name, {}, std::nullopt};
     if (shown == nullptr) {
@@ -94,8 +94,11 @@ double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOpt
     std::vector<const Subject*> all;
     for (const Subject& subject : subjects) all.push_back(&subject);
     const double shown =
-        options.shown_vertices > 0 ? shown_bytes(mesh, options.levels, options.shown_vertices, all.size()) : 0;
-    return referee_bytes_per_vertex(all, rules, options.scope) + shown / level_size(mesh, options.levels).vertices;
+        options.shown_vertices > 0
+            ? shown_bytes(mesh, options.levels, options.shown_vertices, all.size(), options.scope)
+            : 0;
+    return referee_bytes_per_vertex(all, rules, options.scope) +
+           shown / level_size(mesh, options.levels).vertices;
 }
 
 }  // namespace
@@ -105,7 +108,8 @@ SuiteCase make_case(std::string model, const core::TriangleMesh& mesh, const cor
     std::size_t boundary = 0;
     for (core::Index e = 0; e < t.edge_count(); ++e)
         if (t.is_boundary_edge(e)) ++boundary;
-    return {std::move(model), options, static_cast<std::size_t>(t.vertex_count), t.triangles.size(), boundary};
+    return {std::move(model), options, static_cast<std::size_t>(t.vertex_count), t.triangles.size(),
+            boundary};
 }
 
 std::size_t SuiteResult::limit_rows() const {
@@ -160,8 +164,8 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
         else
             error = check_memory(
                 model->mesh, options.levels,
-                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop), options,
-                                 model->mesh),
+                bytes_per_vertex(subjects, options_for_model(model->model, {}, {}, core::Weights::Loop),
+                                 options, model->mesh),
                 options.memory_limit / options.jobs);
         if (error) {
             result.unreadable.push_back({name, *error});
@@ -189,8 +193,8 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
     for (int j = 0; j < options.jobs; ++j) workers.push_back(std::async(std::launch::async, work));
     for (auto& worker : workers) worker.get();
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        SuiteCase& done_case = result.cases.emplace_back(
-            make_case(cases[i].name, cases[i].model->mesh, cases[i].options));
+        SuiteCase& done_case =
+            result.cases.emplace_back(make_case(cases[i].name, cases[i].model->mesh, cases[i].options));
         done_case.rows = outcomes[i].rows.size();
         done_case.chunk = std::move(outcomes[i].chunk);
         std::move(outcomes[i].rows.begin(), outcomes[i].rows.end(), std::back_inserter(result.rows));

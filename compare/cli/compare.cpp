@@ -41,12 +41,13 @@ std::size_t to_count(double size) {
 }
 
 // Bytes per vertex of the last level.
-double bytes_per_vertex(const CompareFlags& flags, const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                        const Subject& a, const Subject& b) {
+double bytes_per_vertex(const CompareFlags& flags, const core::TriangleMesh& mesh,
+                        const core::SchemeOptions& options, const Subject& a, const Subject& b) {
     const std::array both{&a, &b};
-    return referee_bytes_per_vertex(both, options, flags.limit ? Scope::Limits : Scope::Refinement) +
-           (flags.csv.empty() ? 0 : kCsvBytesPerVertex) + (flags.ply.empty() ? 0 : kPlyBytesPerVertex) +
-           (flags.html.wanted() ? shown_bytes(mesh, flags.work.levels, flags.html.vertices, 1) /
+    const Scope scope = flags.limit ? Scope::Limits : Scope::Refinement;
+    return referee_bytes_per_vertex(both, options, scope) + (flags.csv.empty() ? 0 : kCsvBytesPerVertex) +
+           (flags.ply.empty() ? 0 : kPlyBytesPerVertex) +
+           (flags.html.wanted() ? shown_bytes(mesh, flags.work.levels, flags.html.vertices, 1, scope) /
                                       level_size(mesh, flags.work.levels).vertices
                                 : 0);
 }
@@ -58,12 +59,13 @@ void keep_top(Levels& levels, int top) {
         if (level.worst.size() > to_count(top)) level.worst.resize(to_count(top));
 }
 
-core::Result<ModelReport> compare_model(const Context& context, const CompareFlags& flags, const std::string& path,
-                                        const LoadedModel& model, const Subject& a, const Subject& b,
-                                        VertexReports& reports) {
+core::Result<ModelReport> compare_model(const Context& context, const CompareFlags& flags,
+                                        const std::string& path, const LoadedModel& model, const Subject& a,
+                                        const Subject& b, VertexReports& reports) {
     const core::SchemeOptions options = flags.rules.for_model(model.model);
-    if (auto error = check_memory(model.mesh, flags.work.levels, bytes_per_vertex(flags, model.mesh, options, a, b),
-                                  flags.work.memory_limit())) {
+    if (auto error =
+            check_memory(model.mesh, flags.work.levels, bytes_per_vertex(flags, model.mesh, options, a, b),
+                         flags.work.memory_limit())) {
         complain(context, path, *error);
         return tl::unexpected(std::move(*error));
     }

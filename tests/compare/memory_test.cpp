@@ -12,6 +12,9 @@
 #include "compare/curve/curve_comparison.h"
 #include "compare/curve/tensor_comparison.h"
 #include "compare/referee.h"
+#include "compare/report/html/curve_case.h"
+#include "compare/report/html/mesh_levels.h"
+#include "compare/report/html/page.h"
 #include "compare/report/report.h"
 #include "core/mesh/io/atomic_file.h"
 #include "tests/compare/support.h"
@@ -126,6 +129,27 @@ TEST(MemoryEstimate, CoversLimits) {
     expect_covers(referee_bytes_per_vertex(ours, {}, Scope::Limits),
                   {"compare", model_path("cow"), "--levels", "5", "--limit", "--with", "ours-float"}, mesh,
                   5);
+}
+
+TEST(MemoryEstimate, CoversAnHtmlReport) {
+    if (!why_no_page().empty()) GTEST_SKIP() << why_no_page();
+    const auto mesh = model_mesh("cow");
+    const std::array pair{&subject("ours"), &subject("opensubdiv")};
+    const std::string html = testing::TempDir() + "memory.html";
+    expect_covers(
+        referee_bytes_per_vertex(pair, {}) + kShownBytesPerVertex + kComparedBytesPerVertex,
+        {"compare", model_path("cow"), "--levels", "5", "--html", html, "--html-vertices", "1000000"}, mesh,
+        5);
+    expect_covers(referee_bytes_per_vertex(pair, {}, Scope::Limits) + kShownBytesPerVertex +
+                      kComparedBytesPerVertex + kComparedLimitsBytesPerVertex,
+                  {"compare", model_path("cow"), "--levels", "5", "--limit", "--html", html,
+                   "--html-vertices", "1000000"},
+                  mesh, 5);
+    constexpr int kPoints = 60, kLevel = 13;  // of wandering.txt
+    expect_covers(kCurveBytesPerPoint + kShownBytesPerPoint,
+                  {"curve", std::string(LOOPCHECK_MODELS_DIR) + "/curves/wandering.txt", "--levels",
+                   std::to_string(kLevel), "--html", html, "--html-vertices", "1000000"},
+                  std::ldexp(kPoints, kLevel));
 }
 
 TEST(MemoryEstimate, CoversWritingAMesh) {

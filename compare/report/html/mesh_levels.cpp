@@ -61,11 +61,13 @@ int shown_levels(const core::TriangleMesh& mesh, int levels, std::size_t most_ve
 }
 
 double shown_bytes(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices,
-                   std::size_t comparisons) {
+                   std::size_t comparisons, Scope scope) {
     const int shown = shown_levels(mesh, levels, most_vertices);
     if (shown == 0) return 0;
+    const double compared =
+        kComparedBytesPerVertex + (scope == Scope::Limits ? kComparedLimitsBytesPerVertex : 0);
     return level_size(mesh, shown - 1).vertices *
-           (kShownBytesPerVertex + static_cast<double>(comparisons) * kComparedBytesPerVertex);
+           (kShownBytesPerVertex + static_cast<double>(comparisons) * compared);
 }
 
 float to_float(double x) {

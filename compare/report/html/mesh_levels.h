@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/referee.h"
 #include "compare/report/html/chunk.h"
 #include "compare/witness.h"
 
@@ -16,12 +17,13 @@ int shown_levels(const core::TriangleMesh& mesh, int levels, std::size_t most_ve
 
 /// Peak memory of what is gathered of a case with so many comparisons and of making its chunk, in bytes.
 double shown_bytes(const core::TriangleMesh& mesh, int levels, std::size_t most_vertices,
-                   std::size_t comparisons);
+                   std::size_t comparisons, Scope scope);
 
-/// That of the case and of each comparison, in bytes per vertex of the last level shown.  A test measures
-/// them.
-inline constexpr double kShownBytesPerVertex = 400;
-inline constexpr double kComparedBytesPerVertex = 300;
+/// That of the case, of each comparison, and of its limits, in bytes per vertex of the last level shown.  A
+/// test measures them.
+inline constexpr double kShownBytesPerVertex = 200;
+inline constexpr double kComparedBytesPerVertex = 200;
+inline constexpr double kComparedLimitsBytesPerVertex = 500;
 
 /// Puts levels into a chunk, and what they share into its header.
 class LevelWriter {
