@@ -45,6 +45,16 @@ std::size_t compare_level(const core::RefinedLevel& mesh, const core::AdaptiveRe
     return broken;
 }
 
+// `refined` counts from level 1 on: level 0 is the model itself.
+std::string identical_in_words(std::size_t refined, const Subject& subject) {
+    if (refined == 0)
+        return "No vertex after level 0 depends on subdividable faces only, so nothing was compared.";
+    return fmt::format(
+        "All {} vertices after level 0 that depend on subdividable faces only have the position "
+        "of {}, bit for bit.",
+        refined, subject.name);
+}
+
 }  // namespace
 
 void AdaptiveStats::add(const AdaptiveStats& other) {
@@ -106,10 +116,7 @@ AdaptiveComparison compare_adaptive(const core::TriangleMesh& mesh, const core::
                         "where our own uniform refinement has them.",
                         broken)};
     } else if (checked.identical == checked.count) {
-        out.notes = {
-            fmt::format("All {} vertices, of all levels, that depend on subdividable faces only have the "
-                        "position of {}, bit for bit.",
-                        checked.count, subject.name)};
+        out.notes = {identical_in_words(checked.count - total(out.levels.front()).checked.count, subject)};
     } else {
         out.verdict = judged.verdict;
         out.notes = std::move(judged.notes);

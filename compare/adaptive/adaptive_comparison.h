@@ -60,9 +60,8 @@ inline constexpr double kUniformLevelsBytesPerVertex = 70;
 /// vertex that is in both, by its number there.
 ///
 /// Verdict  Identical where all that must have their uniform position have the subject's, bit for bit.  Else
-/// that of our
-///          uniform refinement against the subject's, with its notes; but Differs where ours is not our own
-///          uniform position.
+///          that of our uniform refinement against the subject's, with its notes; but Differs where ours is
+///          not our own uniform position.
 AdaptiveComparison compare_adaptive(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
                                     const core::AdaptiveRefinement& refinement, const Subject& ours,
                                     const Subject& subject);

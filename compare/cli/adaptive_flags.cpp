@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 
 #include "compare/adaptive/adaptive_comparison.h"
 #include "core/mesh/io/number.h"
@@ -72,7 +72,7 @@ std::optional<core::Criterion> AdaptiveFlags::criterion(const Context& context,
                                    *faces, mesh.face_count() - 1);
         return std::nullopt;
     }
-    const double threshold = degrees * std::numbers::pi / 180;
+    const double threshold = glm::radians(degrees);
     const auto compared_with = core::parse_neighbours(neighbours).value();
     return split == "smooth" ? core::where_smooth(threshold, compared_with)
                              : core::where_bent(threshold, compared_with);
@@ -85,7 +85,7 @@ std::string AdaptiveFlags::in_words() const {
                            faces->size() > kShown ? "..." : "");
     return fmt::format(
         "adaptive, faces are split where their normal is {} {:.6g} degrees from {} ({} neighbours)",
-        split == "smooth" ? "at most" : "more than", degrees,
+        split == "smooth" ? "at most" : "more than", degrees + 0.0,  // -0 is 0
         split == "smooth" ? "that of every neighbour" : "that of a neighbour", neighbours);
 }
 

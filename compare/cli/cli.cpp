@@ -37,6 +37,12 @@ core::SchemeOptions RuleFlags::for_model(const core::Model& model) const {
                              core::parse_weights(weights).value_or(core::Weights::Loop));
 }
 
+int exit_code_of(const core::Error& error) {
+    const bool is_refusal =
+        error.code == core::ErrorCode::SubjectFailed || error.code == core::ErrorCode::Unsupported;
+    return is_refusal ? kExitFailed : kExitUsage;
+}
+
 namespace {
 
 void add_memory(CLI::App& command, double& gib) {
@@ -95,7 +101,7 @@ void MeshFlags::add_to(CLI::App& command) {
 
 std::optional<CreaseTags> MeshFlags::apply_to(core::TriangleMesh& mesh) const {
     if (!crease_angle) return std::nullopt;
-    return tag_creases(mesh, *crease_angle);
+    return tag_creases(mesh, *crease_angle + 0.0);  // -0 is 0
 }
 
 void HtmlFlags::add_to(CLI::App& command, std::size_t most_vertices) {

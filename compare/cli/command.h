@@ -29,6 +29,10 @@ struct Context {
 /// A command: what runs when it was chosen.
 using Command = std::function<int(const Context&)>;
 
+/// The exit code for an error of a refinement: 3 where a subject failed or cannot do it, 2 where what was
+/// asked is too large or the coordinates are out of range.
+int exit_code_of(const core::Error& error);
+
 /// Adds a command to the program.
 Command add_compare(CLI::App& program);
 Command add_curve(CLI::App& program);

@@ -136,8 +136,7 @@ int run_adaptive(const Context& context, const CompareFlags& flags, const Subjec
     const core::SchemeOptions options = flags.rules.for_model(model->model);
     const std::array both{&ours, &b};
     const double limit = flags.work.memory_limit();
-    // The adaptive levels together have fewer faces than 4/3 of the last uniform one, which has 2 faces a
-    // vertex.
+    // The adaptive levels have fewer faces together than 4/3 of the last uniform one, which has 2 a vertex.
     const double bytes = referee_bytes_per_vertex(both, options) + kUniformLevelsBytesPerVertex +
                          2 * 4.0 / 3 * kAdaptiveBytesPerFace;
     if (const auto error = check_memory(model->mesh, flags.work.levels, bytes, limit)) {
@@ -150,7 +149,7 @@ int run_adaptive(const Context& context, const CompareFlags& flags, const Subjec
         refine_adaptively(model->mesh, options, *criterion, ours.precision, flags.work.levels, limit);
     if (!refined) {
         complain(context, path, refined.error());
-        return kExitFailed;
+        return exit_code_of(refined.error());
     }
     const AdaptiveReport report{path, creases, flags.adaptive.in_words(),
                                 compare_adaptive(model->mesh, options, *refined, ours, b)};

@@ -29,8 +29,6 @@ struct RefineFlags {
     bool uniform = false;
 };
 
-constexpr double kMostTessellationTriangles = 5e8;
-
 // A refined mesh, ready to be written, and what is said of it.
 struct Refined {
     core::Model model;
@@ -91,6 +89,7 @@ std::optional<Refined> refine_uniformly(const Context& context, const RefineFlag
     }();
     if (!refined) {
         complain(context, flags.model, refined.error());
+        code = exit_code_of(refined.error());
         return std::nullopt;
     }
     Refined out{model_of(mesh, options, refined->levels.back()), {}};
@@ -130,10 +129,8 @@ std::optional<Refined> refine_only_some(const Context& context, const RefineFlag
                                  flags.work.memory_limit());
     }();
     if (!refined) {
-        const auto reason = refined.error().code;
-        code = reason == core::ErrorCode::OutOfMemory || reason == core::ErrorCode::TooLarge ? kExitUsage
-                                                                                             : kExitFailed;
         complain(context, flags.model, refined.error());
+        code = exit_code_of(refined.error());
         return std::nullopt;
     }
     Refined out{model_of(mesh, options, refined->refinement.levels.back()), {}};
@@ -158,11 +155,10 @@ std::optional<Refined> refine_within_tolerance(const Context& context, const Ref
                                    subject.name);
         return std::nullopt;
     }
-    code = kExitUsage;
-    const core::TessellationLimits limits{
-        .most_levels = core::kMostLevels,
-        .most_triangles = static_cast<std::size_t>(
-            std::min(flags.work.memory_limit() / kTessellationBytesPerTriangle, kMostTessellationTriangles))};
+    const core::TessellationLimits limits{.most_levels = core::kMostLevels,
+                                          .most_triangles = static_cast<std::size_t>(std::min(
+                                              flags.work.memory_limit() / kTessellationBytesPerTriangle,
+                                              static_cast<double>(core::kMostTessellationTriangles)))};
     Progress progress(context);
     const auto tessellate = [&](core::Splitting splitting) {
         return core::tessellate(mesh, options, *flags.tolerance, limits, splitting,
@@ -173,6 +169,7 @@ std::optional<Refined> refine_within_tolerance(const Context& context, const Ref
     const auto made = tessellate(core::Splitting::WhereNeeded);
     if (!made) {
         complain(context, flags.model, made.error());
+        code = exit_code_of(made.error());
         return std::nullopt;
     }
     progress.show(fmt::format("{}: measuring {} triangles", flags.model, made->triangles.size()));
@@ -272,7 +269,7 @@ Command add_refine(CLI::App& program) {
                           ->excludes("--adaptive");
     command->add_flag("--uniform", flags->uniform, "also find the first uniform level within the tolerance")
         ->needs(tolerance);
-    command->add_option("--json", flags->json, "write the sizes of all levels as JSON");
+    command->add_option("--json", flags->json, "write the report as JSON");
     return [flags](const Context& context) { return run_refine(context, *flags); };
 }
 

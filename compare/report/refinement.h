@@ -43,8 +43,7 @@ struct RefinementReport {
 };
 
 /// What was tagged; adaptive: the rule, and a line a level with its sizes and the faces by number of edges
-/// that are not split; with a tolerance what is proven and what was measured. Always: the file with its
-/// counts.
+/// that are not split; with a tolerance what is proven and what was measured.  Always the file, with counts.
 std::string refinement_as_text(const RefinementReport& report);
 
 /// The document of docs/report.schema.json.

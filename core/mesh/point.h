@@ -27,7 +27,7 @@ using Point = std::conditional_t<std::is_floating_point_v<Scalar>, glm::vec<3, S
 template <class Scalar>
 using Points = std::vector<Point<Scalar>>;
 
-/// 2^exponent p, exact but for underflow.
+/// 2^exponent p, exact but for over- and underflow.
 inline glm::dvec3 times_power_of_two(const glm::dvec3& p, int exponent) {
     return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
 }

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -36,11 +35,6 @@ core::Curve<glm::dvec3> curve_of(const std::string& path, const CurveShape& shap
     return core::Curve<glm::dvec3>::make(core::read_points(path).value().points, shape).value();
 }
 
-int test_levels(int levels) {
-    const char* fewer = std::getenv("LOOPCHECK_TEST_LEVELS");
-    return fewer != nullptr ? std::min(levels, std::atoi(fewer)) : levels;
-}
-
 void quietly(const std::string&) {}
 
 Outcome loopcheck_curve(std::vector<std::string> arguments) {
@@ -62,8 +56,8 @@ TEST_P(EveryCurve, IsWhatItsLimitAndItsBoundsSayWithEveryEnd) {
         for (const Ends ends : {Ends::Natural, Ends::Closed, Ends::Open, Ends::Clamped}) {
             const CurveShape shape{degree, ends};
             if (core::check_shape(shape, points.size())) continue;
-            const auto c =
-                compare_curve(core::Curve<glm::dvec3>::make(points, shape).value(), test_levels(4), quietly);
+            const auto c = compare_curve(core::Curve<glm::dvec3>::make(points, shape).value(),
+                                         tests::levels_up_to(4), quietly);
             EXPECT_EQ(c.own, Verdict::WithinRounding)
                 << degree << " " << core::name(ends) << ": " << testing::PrintToString(c.notes);
             for (std::size_t l = 1; l < c.polygons.size() && degree == 3 && ends != Ends::Clamped; ++l) {
@@ -81,12 +75,13 @@ TEST_P(EveryCurve, HasTheBitsOfOpenSubdivInFloatAndDouble) {
         if (core::check_shape({3, ends}, points.size())) continue;
         const auto curve = core::Curve<glm::dvec3>::make(points, {3, ends}).value();
         for (const char* name : {"opensubdiv", "opensubdiv-float"}) {
-            const auto all = compare_carried(curve, test_levels(5), test::subject(name), kPlenty, quietly);
+            const auto all =
+                compare_carried(curve, tests::levels_up_to(5), test::subject(name), kPlenty, quietly);
             EXPECT_EQ(all.size(), 2U);
             for (const CarriedComparison& c : all) {
                 EXPECT_EQ(c.verdict, Verdict::Identical)
                     << name << ", " << compare::name(c.carrier) << c.note;
-                EXPECT_EQ(c.levels.size(), static_cast<std::size_t>(test_levels(5)) + 1);
+                EXPECT_EQ(c.levels.size(), static_cast<std::size_t>(tests::levels_up_to(5)) + 1);
             }
         }
     }
@@ -99,8 +94,9 @@ INSTANTIATE_TEST_SUITE_P(Models, EveryCurve,
 TEST(CarriedCurve, HasTheBitsOfOpenSubdivToLevel8) {
     for (const auto& [name, ends] : {std::pair{"lab", Ends::Natural}, {"ring", Ends::Closed}})
         for (const char* precision : {"opensubdiv", "opensubdiv-float"})
-            for (const auto& c : compare_carried(curve_of(curve_path(name), {3, ends}), test_levels(8),
-                                                 test::subject(precision), kPlenty, quietly)) {
+            for (const auto& c :
+                 compare_carried(curve_of(curve_path(name), {3, ends}), tests::levels_up_to(8),
+                                 test::subject(precision), kPlenty, quietly)) {
                 EXPECT_EQ(c.verdict, Verdict::Identical) << name << c.note;
                 EXPECT_EQ(c.levels.back().difference.identical, c.levels.back().difference.count);
             }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "compare/report/surface.h"
@@ -121,14 +120,14 @@ TEST(SurfaceComparison, RefusesAValenceThatTakesTooLong) {
     EXPECT_EQ(report.exit_code(), 3);
 }
 
-// Every way with few samples a face; two ways, and fewer samples, under sanitizers.
+// Every way with few samples a face; two ways, and fewer samples, in a short run.
 std::vector<SurfaceCheck> checks_of_every_way() {
-    const bool sanitized = std::getenv("LOOPCHECK_TEST_LEVELS") != nullptr;
+    const bool is_short = tests::is_short_run();
     std::vector<SurfaceCheck> out;
     for (const SurfaceWay& way : surface_ways()) {
-        if (sanitized && way.name != "bfr" && way.name != "patch-default") continue;
+        if (is_short && way.name != "bfr" && way.name != "patch-default") continue;
         out.push_back({way});
-        out.back().samples = sanitized ? kLeastSamples : 8;
+        out.back().samples = is_short ? kLeastSamples : 8;
     }
     return out;
 }
@@ -196,7 +195,8 @@ class LimitOfRandomSharpness : public testing::TestWithParam<int> {};
 
 TEST_P(LimitOfRandomSharpness, IsAsPredictedByEveryWay) {
     std::minstd_rand random(static_cast<unsigned>(GetParam()));
-    for (int i = 0; i < 12; ++i) {
+    const int meshes = tests::is_short_run() ? 4 : 12;
+    for (int i = 0; i < meshes; ++i) {
         const core::TriangleMesh mesh = tests::mesh_of(random_sharp_mesh(random));
         core::SchemeOptions options;
         options.creasing = i % 2 == 0 ? core::Creasing::Uniform : core::Creasing::Chaikin;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "compare/referee.h"
+#include "tests/support/models.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -93,7 +94,7 @@ TEST_P(RandomMeshes, AgreeWithEveryPeer) {
         core::SchemeOptions options;
         options.boundary = static_cast<core::BoundaryRule>(random() % 3);
         options.creasing = static_cast<core::Creasing>(random() % 2);
-        Referee referee(*mesh, options, 4);
+        Referee referee(*mesh, options, tests::levels_up_to(4));
         for (const Subject& peer : subjects) {
             if (peer.family == "ours") continue;
             const Subject* ours = in_precision(subjects, *find_subject(subjects, "ours"), peer.precision);

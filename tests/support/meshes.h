@@ -69,6 +69,24 @@ inline core::MeshData tetrahedron() {
                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
 }
 
+/// The unit cube as 12 triangles.  Vertices are numbered in binary: bit 0 is x, bit 1 is y, bit 2 is z.
+inline core::MeshData cube() {
+    Positions positions;
+    for (int v = 0; v < 8; ++v) positions.push_back({v & 1, v >> 1 & 1, v >> 2 & 1});
+    return data_of(positions, {{0, 2, 3},
+                               {0, 3, 1},
+                               {4, 5, 7},
+                               {4, 7, 6},
+                               {0, 1, 5},
+                               {0, 5, 4},
+                               {2, 6, 7},
+                               {2, 7, 3},
+                               {0, 4, 6},
+                               {0, 6, 2},
+                               {1, 3, 7},
+                               {1, 7, 5}});
+}
+
 /// A square of side 8, split from vertex 0 to vertex 2.
 inline core::MeshData square() {
     return data_of({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{0, 1, 2}, {0, 2, 3}});

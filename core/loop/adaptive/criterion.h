@@ -1,8 +1,11 @@
 // Which faces an adaptive step subdivides.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <numbers>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -32,9 +35,8 @@ std::vector<double> largest_normal_angles(const Topology& topology, std::span<co
 /// The lab report's rule: a face is subdividable where its largest normal angle is at most `threshold`, in
 /// radians, within kAngleSlack.  What is sharp stays as it is.  No face where the threshold is negative.
 ///
-/// Laws  1. pi: every face, so uniform refinement; 2. with `Edge` and `Vertex` it depends neither on the
-/// numbering nor
-///       on which vertex of a face is first.
+/// Laws  1. pi: every face, so uniform refinement;
+///       2. with `Edge` and `Vertex` it depends neither on the numbering nor on where a face starts.
 Criterion where_smooth(double threshold, Neighbours neighbours);
 
 /// The usual meaning of adaptive: a face is subdividable where `where_smooth` says that it is not.
@@ -44,6 +46,6 @@ Criterion where_bent(double threshold, Neighbours neighbours);
 Criterion where_listed(std::vector<Index> control_faces);
 
 /// pi/3, the report's threshold.
-inline constexpr double kReportAngle = 1.0471975511965977462;
+inline constexpr double kReportAngle = std::numbers::pi / 3;
 
 }  // namespace loopcheck::core

@@ -14,8 +14,8 @@ struct UniformNumbers {
     std::vector<std::int64_t> vertex, edge, face;
     /// Sizes of the uniform level.
     std::int64_t vertices = 0, edges = 0, faces = 0;
-    /// Per vertex 1 where everything that its position was made of was refined as in uniform refinement, so
-    /// that it has the same position there, bit for bit; per edge 1 where that is so of its sharpness.
+    /// Per vertex 1 only where everything that its position was made of was refined as in uniform refinement,
+    /// so that it has the same position there, bit for bit; per edge the same of its sharpness.
     std::vector<std::uint8_t> same_position, same_sharpness;
 };
 

@@ -30,7 +30,7 @@ struct SplitPattern {
 /// with ab for the midpoint of the edge from a to b.  A piece that is a child in `split` also starts with the
 /// same vertex as there.
 ///
-/// Source  the lab report's scheme; the same four cases as red-green refinement.
+/// Source  the lab report's scheme; the same four cases as in red-green-blue refinement.
 /// Law     both faces of an edge see the same midpoint, so no piece has a vertex inside an edge.
 SplitPattern split_pattern(const Triangle& corners, const Triangle& midpoints);
 

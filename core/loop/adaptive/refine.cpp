@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 
 namespace loopcheck::core {
 namespace {
@@ -181,13 +182,7 @@ UniformNumbers numbers_of_control_mesh(const Topology& t) {
 std::optional<Error> check_numbers(const UniformNumbers& uniform) {
     constexpr std::int64_t kMost = std::int64_t{1} << 59;
     if (uniform.edges < kMost && uniform.faces < kMost) return std::nullopt;
-    return Error{ErrorCode::TooLarge,
-                 "Uniform refinement would have more than 2^62 edges at the next level."};
-}
-
-std::size_t face_count_after(const AdaptiveCounts& counts) {
-    const auto& c = counts.faces_with_unsplit;
-    return 4 * c[0] + 3 * c[1] + 2 * c[2] + c[3];
+    return Error{ErrorCode::TooLarge, "Uniform refinement would have 2^60 edges or more at the next level."};
 }
 
 }  // namespace
@@ -203,17 +198,16 @@ AdaptiveLevel adaptive_control_level(const TriangleMesh& mesh, BoundaryRule boun
 }
 
 Result<AdaptiveStep> adaptive_step(const AdaptiveLevel& level, const Flags& is_subdividable,
-                                   const SchemeOptions& options) {
+                                   const SchemeOptions& options, double most_faces) {
     const SchemeLevel& parent = level.scheme;
     if (auto error = check_numbers(level.uniform)) return tl::unexpected(*error);
-    const Flags is_split = edges_to_split(parent.topology, is_subdividable);
-    auto split = split_where(parent.topology, is_split);
+    auto split = split_where(parent.topology, edges_to_split(parent.topology, is_subdividable), most_faces);
     if (!split) return tl::unexpected(split.error());
 
     const Flags is_frozen = frozen_vertices(parent.topology, is_subdividable);
     const auto halves = half_edge_sharpness(parent.topology, parent.sharpness, options.creasing);
     AdaptiveStep step;
-    step.counts = {count_patterns(parent.topology, is_split), split->split_edges.size()};
+    step.counts = {split->faces_with_unsplit, split->split_edges.size()};
     step.rows = select_rows(make_rows(parent.topology, parent.sharpness, halves, options), parent.topology,
                             is_frozen, split->split_edges);
     AdaptiveLevel& child = step.child;
@@ -258,15 +252,9 @@ Result<AdaptiveRefinement> refine_adaptively(const TriangleMesh& mesh, const Sch
         if (flags.size() != level.control_face.size())
             return fail(ErrorCode::IndexOutOfRange, fmt::format("The criterion gave {} flags for {} faces.",
                                                                 flags.size(), level.control_face.size()));
-        record = {};
-        record.counts.faces_with_unsplit =
-            count_patterns(level.scheme.topology, edges_to_split(level.scheme.topology, flags));
-        if (const auto next = static_cast<double>(face_count_after(record.counts)); faces + next > most_faces)
-            return fail(ErrorCode::OutOfMemory,
-                        fmt::format("Level {} would have {} faces; all levels together may have {:.0f}.",
-                                    l + 1, next, most_faces));
-        auto step = adaptive_step(level, flags, options);
+        auto step = adaptive_step(level, flags, options, most_faces - faces);
         if (!step) return tl::unexpected(step.error());
+        record = {};
         record.counts = step->counts;
         record.subdividable =
             static_cast<std::size_t>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/loop/split.h"
 
@@ -166,15 +167,10 @@ std::vector<std::uint8_t> edges_to_split(const Topology& topology,
     return out;
 }
 
-std::array<std::size_t, 4> count_patterns(const Topology& topology,
-                                          const std::vector<std::uint8_t>& is_split) {
-    std::array<std::size_t, 4> out{};
-    for (Index f = 0; f < topology.face_count(); ++f) ++out[unsplit_edges(topology, f, is_split)];
-    return out;
-}
-
-Result<PartialSplit> split_where(const Topology& parent, const std::vector<std::uint8_t>& is_split) {
-    const auto c = count_patterns(parent, is_split);
+Result<PartialSplit> split_where(const Topology& parent, const std::vector<std::uint8_t>& is_split,
+                                 double most_faces) {
+    std::array<std::size_t, 4> c{};
+    for (Index f = 0; f < parent.face_count(); ++f) ++c[unsplit_edges(parent, f, is_split)];
     const std::size_t faces = 4 * c[0] + 3 * c[1] + 2 * c[2] + c[3];
     const std::size_t inner = 3 * c[0] + 2 * c[1] + c[2];
     const std::size_t split =
@@ -185,7 +181,13 @@ Result<PartialSplit> split_where(const Topology& parent, const std::vector<std::
             ErrorCode::TooLarge,
             fmt::format("The next level would have {} faces; at most 2^31 - 1 corners can be numbered.",
                         faces));
-    return Splitter(parent, is_split).build(static_cast<Index>(inner));
+    if (static_cast<double>(faces) > most_faces)
+        return fail(ErrorCode::OutOfMemory,
+                    fmt::format("The next level would have {} faces; there is room for {:.0f}.", faces,
+                                std::max(most_faces, 0.0)));
+    PartialSplit out = Splitter(parent, is_split).build(static_cast<Index>(inner));
+    out.faces_with_unsplit = c;
+    return out;
 }
 
 }  // namespace loopcheck::core

@@ -1,7 +1,10 @@
 // The split of some edges of a level: the topology and order of the mesh that comes of it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/loop/adaptive/pattern.h"
@@ -31,6 +34,8 @@ struct FaceOrigin {
 
 /// A mesh with some edges split.
 struct PartialSplit {
+    /// c0 to c3: faces of the parent with 0 to 3 edges that are not split.
+    std::array<std::size_t, 4> faces_with_unsplit{};
     Topology topology;
     std::vector<Ancestor> ancestors;
     std::vector<Index> split_edges;  ///< ascending; the point of the i-th is vertex V + i
@@ -42,20 +47,18 @@ struct PartialSplit {
 std::vector<std::uint8_t> edges_to_split(const Topology& topology,
                                          const std::vector<std::uint8_t>& is_subdividable);
 
-/// How many faces have 0, 1, 2 and 3 edges that are not split.
-std::array<std::size_t, 4> count_patterns(const Topology& topology,
-                                          const std::vector<std::uint8_t>& is_split);
-
 /// Replaces every face by its `split_pattern`.  In the order of `split`, with what is not there left out:
 /// vertices, then the points of the split edges; faces by parent; the edges inside faces, then by parent edge
 /// its two halves or itself.  Rings start at what became of the edge that the parent's ring starts with; the
 /// ring of a new point at the half along which the lower-numbered face of the edge runs.
 ///
-/// Errors  TooLarge, before anything is allocated.
-/// Laws    1. where all edges are split it is `split`, also in every order; 2. any two faces that are both
-/// children of
-///         `split` keep their order, so what only depends on such faces is summed in the order of uniform
-///         refinement.
-Result<PartialSplit> split_where(const Topology& parent, const std::vector<std::uint8_t>& is_split);
+/// Errors  before anything is allocated: TooLarge; OutOfMemory where there would be more than `most_faces`.
+///
+/// Laws    1. there are 4 c0 + 3 c1 + 2 c2 + c3 faces;
+///         2. where all edges are split it is `split`, also in every order;
+///         3. any two faces that are both children of `split` keep their order, so what only depends on such
+///         faces is summed in the order of uniform refinement.
+Result<PartialSplit> split_where(const Topology& parent, const std::vector<std::uint8_t>& is_split,
+                                 double most_faces = std::numeric_limits<double>::infinity());
 
 }  // namespace loopcheck::core

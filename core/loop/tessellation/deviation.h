@@ -38,6 +38,11 @@ Deviation deviation_of(std::span<const glm::dvec3> hull, const PlacedTriangle& t
 /// The steepest star that `distance_to_star` works with: cos 80 degrees.
 inline constexpr double kLeastCosine = 0.17364817766693036;
 
+/// An edge of the border of a star.
+struct BorderEdge {
+    glm::dvec3 from, to;
+};
+
 /// A bound of the distance to the triangles that share a vertex with one whose corners they surround;
 /// infinite where it has none to say.
 ///
@@ -53,9 +58,6 @@ inline constexpr double kLeastCosine = 0.17364817766693036;
 ///        over p there is a point of the star at most that high, and the surface is at most `height` high.
 ///
 /// `star` holds the triangles and `border` the edges of these at which no corner of the triangle is.
-struct BorderEdge {
-    glm::dvec3 from, to;
-};
 double distance_to_star(const Deviation& deviation, const PlacedTriangle& triangle,
                         std::span<const PlacedTriangle> star, std::span<const BorderEdge> border);
 

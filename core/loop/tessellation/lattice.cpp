@@ -18,7 +18,7 @@ VertexKey key_of(const Topology& control, Index face, const LatticePoint& point)
 }
 
 std::size_t VertexKeyHash::operator()(const VertexKey& key) const {
-    // The multipliers are odd and of no structure: products are mixed by the shift, then folded.
+    // The multiplier, 2^64 over the golden ratio, spreads low bits upwards; the shift brings them back.
     std::uint64_t h = static_cast<std::uint64_t>(key.id) * 3 + static_cast<std::uint64_t>(key.kind);
     for (const std::int64_t x : {key.s, key.t}) {
         h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;

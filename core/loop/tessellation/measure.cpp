@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/loop/evaluate.h"
 #include "core/loop/tessellation/deviation.h"

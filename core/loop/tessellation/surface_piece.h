@@ -1,8 +1,10 @@
 // The limit surface over one triangle of any level: its children, its corners, and what encloses it.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -29,9 +31,14 @@ class SurfacePiece {
     ///
     /// A quartic is split into four once, which brings its points four times as near.  Else they are all the
     /// vertices that the surface depends on: around each corner those of the faces that an infinitely sharp
-    /// edge does not part from the triangle.  The vertices of a child on which its surface depends are
-    /// weighted means of these, no weight is negative (but under CreaseShare::Unclamped), and so the limit is
-    /// in their hull.
+    /// edge does not part from the triangle.  Those of a child are weighted means of these, no weight is
+    /// negative (but under CreaseShare::Unclamped), and so the limit is in their hull.
+    ///
+    /// Proof  A corner of a child is the point of a corner v of the triangle or of an edge of it.  So what is
+    ///        around it on this side is the point of such a v or of an edge at v.  The rule of v takes its
+    ///        ring, but with two infinitely sharp edges only these, which are the last on this side, and with
+    ///        more only v.  The rule of an edge at v takes its ends and the vertices beside it, which are
+    ///        neighbours of v on this side; where it is infinitely sharp only its ends.
     ///
     /// Requires `within` to be the whole triangle where the piece is not regular.
     void add_hull(const SubTriangle& within, std::vector<glm::dvec3>& hull) const;

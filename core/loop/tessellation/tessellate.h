@@ -39,18 +39,21 @@ enum class Splitting : std::uint8_t {
     Everywhere,   ///< all: the result is the first level at which none exceeds it
 };
 
+/// The most triangles of which all corners can be numbered: 2^31/3.
+inline constexpr std::size_t kMostTessellationTriangles = (std::size_t{1} << 31) / 3;
+
 /// What may be spent.
 struct TessellationLimits {
-    int most_levels = 20;  ///< more than 30 count as 30
-    std::size_t most_triangles = 10'000'000;
+    int most_levels = 20;                     ///< more than 30 count as 30
+    std::size_t most_triangles = 10'000'000;  ///< more than 2^31/3 count as that
 };
 
 /// The limit surface as triangles, so that no point of it is further than `tolerance` from them.
 ///
-/// Method  Red-green refinement.  Faces are split into four as in `split`, as long as the bound of a triangle
-///         exceeds the tolerance.  So that no vertex is inside an edge, a triangle with split neighbours is
-///         cut by `split_pattern`; it is split itself where three neighbours are, where one is split twice,
-///         and where its surface is not a polynomial.
+/// Method  Red-green-blue refinement.  Faces are split into four as in `split`, as long as the bound of a
+///         triangle exceeds the tolerance.  So that no vertex is inside an edge, a triangle with split
+///         neighbours is cut by `split_pattern`; it is split itself where three neighbours are, where one is
+///         split twice, and where its surface is not a polynomial.
 ///
 /// Result  Every vertex is a point of the limit surface and is there once; isolated vertices are left out.
 ///         Faces without a limit surface (`no_limit_surface`) have no triangles.
@@ -62,15 +65,19 @@ struct TessellationLimits {
 ///         bounded is the distance from every point of the surface to the triangles, not the other way.
 ///         Rounding is not included: see Error.
 ///
-/// Range   tolerance > 0 and finite.  The levels needed are about log4(curvature/tolerance).
+/// Range   tolerance > 0 and finite.  About log4(d/tolerance) levels are needed, d the bound at level 0.
 ///
-/// Error   a vertex is off by at most 3 (l + 1)(n + 30) u M per coordinate, with l its level, n the largest
-///         ring and M the largest |coordinate|, and bounds by a few times that, which does not matter where
-///         the tolerance is above 10^-12 M.
+/// Error   per coordinate a vertex of level l is off by at most
+///
+///             E(l) = 3 (l + 1)(n + 30) u M
+///
+///         with n >= 6 the largest ring and M the largest |coordinate|; the bound of a triangle by at most
+///         16 E(l + 3), but for slivers, whose normals rounding can turn.  For rings up to 64 that is less
+///         than a fifth of any tolerance above 10^-10 M.
 ///
 /// Errors  OutsideDomain: the tolerance; Unsupported: CreaseShare::Unclamped, whose weights may be negative;
-///         NotFinite, see `check_fits`; NoLimitSurface: no face has one; TooLarge: the limits do not suffice,
-///         with the worst face and its bound.
+///         NotFinite, see `check_fits`; NoLimitSurface: no face has one; TooLarge: the limits may not
+///         suffice, with the worst face and its bound.
 ///
 /// Laws    1. the triangles are manifold, with the Euler characteristic and the boundaries of the faces that
 ///         have a surface (but two faces glued on all edges stay so: then two edges have the same ends);

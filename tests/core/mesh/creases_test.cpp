@@ -5,39 +5,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <numbers>
 #include <random>
 #include <set>
 
 #include "core/mesh/face_normals.h"
+#include "tests/support/angles.h"
 #include "tests/support/meshes.h"
 #include "tests/support/models.h"
+#include "tests/support/renumbered.h"
 
 namespace loopcheck::core {
 namespace {
 
+using tests::cube;
+using tests::kDegree;
 using tests::mesh_of;
 
-const double kPi = std::acos(-1.0);
-constexpr double kDegree = 0.017453292519943295;
-
-// The corners are numbered in binary: bit 0 is x, bit 1 is y, bit 2 is z.
-MeshData cube() {
-    tests::Positions positions;
-    for (int v = 0; v < 8; ++v) positions.push_back({v & 1, v >> 1 & 1, v >> 2 & 1});
-    return tests::data_of(positions, {{0, 2, 3},
-                                      {0, 3, 1},
-                                      {4, 5, 7},
-                                      {4, 7, 6},
-                                      {0, 1, 5},
-                                      {0, 5, 4},
-                                      {2, 6, 7},
-                                      {2, 7, 3},
-                                      {0, 4, 6},
-                                      {0, 6, 2},
-                                      {1, 3, 7},
-                                      {1, 7, 5}});
-}
+constexpr double kPi = std::numbers::pi;
 
 // The sharp edges by their ends, and how sharp.
 using Sharp = std::set<std::pair<std::set<Index>, float>>;
@@ -143,27 +128,17 @@ TEST(Creases, AreNotAtADegenerateFace) {
 }
 
 TEST(Creases, AreTheSameWhateverTheNumbersOfVerticesAndTheFirstCorners) {
-    std::mt19937_64 random(1);
+    std::mt19937 random(1);
     for (const char* model : {"cow", "icosahedron", "torus", "magnitude-mixed", "genus-2"}) {
-        const auto mesh = tests::load_model(tests::model_path(model)).mesh;
-        std::vector<Index> number(static_cast<std::size_t>(mesh.vertex_count()));
-        std::iota(number.begin(), number.end(), 0);
-        std::shuffle(number.begin(), number.end(), random);
-        tests::Positions positions(number.size());
-        for (std::size_t v = 0; v < number.size(); ++v) positions[number[v]] = mesh.positions()[v];
-        tests::Triangles triangles = mesh.topology().triangles;
-        std::shuffle(triangles.begin(), triangles.end(), random);
-        for (Triangle& t : triangles) {
-            for (Index& v : t) v = number[v];
-            std::rotate(t.begin(), t.begin() + static_cast<int>(random() % 3), t.end());
-        }
-        const auto other = mesh_of(tests::data_of(positions, triangles));
+        const MeshData data = read_model(tests::model_path(model))->data;
+        const auto other = tests::renumbered(data, random);
         for (const double degrees :
              {0.0, 20.0, 30.0, 45.0, 60.0, 90.0, std::acos(std::sqrt(5.0) / 3) / kDegree}) {
             Sharp expected;
-            for (const auto& [ends, sharpness] : sharp_edges(with_creases(mesh, degrees * kDegree).mesh))
-                expected.insert({{number[*ends.begin()], number[*ends.rbegin()]}, sharpness});
-            EXPECT_EQ(sharp_edges(with_creases(other, degrees * kDegree).mesh), expected)
+            for (const auto& [ends, sharpness] :
+                 sharp_edges(with_creases(mesh_of(data), degrees * kDegree).mesh))
+                expected.insert({{other.vertex[*ends.begin()], other.vertex[*ends.rbegin()]}, sharpness});
+            EXPECT_EQ(sharp_edges(with_creases(mesh_of(other.data), degrees * kDegree).mesh), expected)
                 << model << " " << degrees;
         }
     }
