@@ -41,8 +41,11 @@ class Referee {
     LimitComparison judge_limits(const Subject& subject, const Subject& reference, int top = 0,
                                  const LimitVisitor& visit = {});
 
-    /// What is exact under the rules that a subject is meant to follow; kept as long as this.  Errors: TooLarge.
-    const core::Result<Witness>& exact(const Subject& subject) { return witness(options_for(subject, options_)); }
+    /// What is exact under the rules that a subject is meant to follow; kept as long as this.
+    /// Errors  TooLarge.
+    const core::Result<Witness>& exact(const Subject& subject) {
+        return witness(options_for(subject, options_));
+    }
 
     const core::TriangleMesh& mesh() const { return mesh_; }
     int levels() const { return levels_; }

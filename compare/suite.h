@@ -29,7 +29,8 @@ struct SuiteCase {
     core::SchemeOptions options;
     std::size_t vertices = 0, faces = 0, boundary_edges = 0;  ///< of the control mesh
     std::size_t rows = 0;                                     ///< how many of the rows are of it
-    std::optional<std::string> chunk = {};  ///< of the HTML report, where it was asked for and something was compared
+    /// Of the HTML report, where it was asked for and something was compared.
+    std::optional<std::string> chunk = {};
 };
 /// Without rows.
 SuiteCase make_case(std::string model, const core::TriangleMesh& mesh, const core::SchemeOptions& options);
@@ -65,8 +66,9 @@ struct SuiteOptions {
     int jobs = 1;
     bool triangulate = false;
     Scope scope = Scope::Limits;
-    double memory_limit = 0;         ///< bytes, for all jobs together
-    std::size_t shown_vertices = 0;  ///< make chunks of the HTML report, with levels of at most so many vertices
+    double memory_limit = 0;  ///< bytes, for all jobs together
+    /// Make chunks of the HTML report, with levels of at most so many vertices; 0: none.
+    std::size_t shown_vertices = 0;
 };
 
 /// Called after each case (a model under one boundary option) with the number done, of how many, and its

@@ -106,9 +106,11 @@ std::optional<CreaseTags> MeshFlags::apply_to(core::TriangleMesh& mesh) const {
 
 void HtmlFlags::add_to(CLI::App& command, std::size_t most_vertices) {
     vertices = most_vertices;
-    CLI::Option* html = command.add_option("--html", path, "write the report as a page to look at, one HTML file");
+    CLI::Option* html =
+        command.add_option("--html", path, "write the report as a page to look at, one HTML file");
     command
-        .add_option("--html-vertices", vertices, "in that file, levels of at most so many vertices; the others are named")
+        .add_option("--html-vertices", vertices,
+                    "in that file, levels of at most so many vertices; the others are named")
         ->capture_default_str()
         ->check(CLI::Range(1, 100'000'000))
         ->needs(html);

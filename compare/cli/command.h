@@ -98,8 +98,7 @@ struct HtmlFlags {
 const Subject* find_or_complain(const Context& context, std::string_view name, const std::string& precision);
 
 /// Loads a model and prints its warnings, or prints why it cannot be loaded.
-core::Result<LoadedModel> load_or_complain(const Context& context, const std::string& path,
-                                            bool triangulate);
+core::Result<LoadedModel> load_or_complain(const Context& context, const std::string& path, bool triangulate);
 
 /// Prints an error about a file, as "cow.obj: line 3: sentence [code]".
 void complain(const Context& context, const std::string& path, const core::Error& error);

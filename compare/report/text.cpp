@@ -192,12 +192,13 @@ std::string counted(std::size_t n, std::string_view noun) {
 }
 
 std::string summary_in_words(const SuiteResult& suite, int exit_code) {
-    return fmt::format(
-        "{}: {} and {} of limits of {}, levels 0 to {}: {}{}", exit_code == 0 ? "agree" : "FAIL",
-        counted(suite.rows.size(), "comparison"), suite.limit_rows(), counted(suite.models, "model"),
-        suite.levels, verdicts_in_words([&](Verdict verdict) { return suite.count(verdict); }),
-        suite.unreadable.empty() ? ""
-                                 : fmt::format(", {} not compared", counted(suite.unreadable.size(), "model")));
+    return fmt::format("{}: {} and {} of limits of {}, levels 0 to {}: {}{}",
+                       exit_code == 0 ? "agree" : "FAIL", counted(suite.rows.size(), "comparison"),
+                       suite.limit_rows(), counted(suite.models, "model"), suite.levels,
+                       verdicts_in_words([&](Verdict verdict) { return suite.count(verdict); }),
+                       suite.unreadable.empty()
+                           ? ""
+                           : fmt::format(", {} not compared", counted(suite.unreadable.size(), "model")));
 }
 
 std::string suite_summary(const SuiteResult& suite) {

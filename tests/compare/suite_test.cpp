@@ -47,7 +47,7 @@ TEST(Suite, ComparesLimitsWherePeersHaveThemAndCountsThem) {
         EXPECT_EQ(row.limits.has_value(), row.comparison.reference.rfind("opensubdiv", 0) == 0);
     const auto text = suite_as_text(result, subjects);
     EXPECT_NE(text.find("opensubdiv limits"), std::string::npos) << text;
-    EXPECT_NE(text.find("and 6 of limits of 1 models"), std::string::npos) << text;
+    EXPECT_NE(text.find("and 6 of limits of 1 model"), std::string::npos) << text;
     EXPECT_NE(text.find("limit-dart"), std::string::npos) << text;
     const auto xml = suite_as_junit(result);
     EXPECT_NE(xml.find("name=\"limits of ours against opensubdiv, "), std::string::npos) << xml;

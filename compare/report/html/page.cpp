@@ -5,42 +5,26 @@
 #include <stdexcept>
 
 namespace loopcheck::compare {
-namespace {
-
-#ifdef LOOPCHECK_HAS_PAGE
-// An array first: the length of a literal this long is too much for the compiler to count in a constant
-// expression.
-constexpr char kPageText[] =
-#include "page.inc"
-    ;
-constexpr std::string_view kPage(kPageText, sizeof kPageText - 1);
-constexpr std::string_view kWhyNoPage;
-#else
-constexpr std::string_view kPage = "<!--chunks-->";
-constexpr std::string_view kWhyNoPage = LOOPCHECK_WHY_NO_PAGE;
-#endif
-
-}  // namespace
-
 std::string_view why_no_page() {
-    return kWhyNoPage;
+    return LOOPCHECK_WHY_NO_PAGE;
 }
 
 std::string page_with(const std::vector<NamedChunk>& chunks) {
     constexpr std::string_view kPlace = "<!--chunks-->";
-    const std::size_t at = kPage.find(kPlace);
+    const std::string_view page = page_text();
+    const std::size_t at = page.find(kPlace);
     if (at == std::string_view::npos) throw std::logic_error("The page has no place for its chunks.");
-    std::size_t size = kPage.size();
+    std::size_t size = page.size();
     for (const NamedChunk& chunk : chunks) size += chunk.id.size() + chunk.text.size() + 70;
     std::string out;
     out.reserve(size);
-    out += kPage.substr(0, at);
+    out += page.substr(0, at);
     for (const auto& [id, text] : chunks) {
         out += fmt::format("<script type=\"application/x-loopcheck\" id=\"{}\">", id);
         out += text;
         out += "</script>\n";
     }
-    out += kPage.substr(at + kPlace.size());
+    out += page.substr(at + kPlace.size());
     return out;
 }
 

@@ -11,6 +11,9 @@ namespace loopcheck::compare {
 /// Why this build cannot write HTML reports, and how to get one that can, in a sentence; empty where it can.
 std::string_view why_no_page();
 
+/// The page without a report in it, made by compare/report/page/build.mjs; empty where this build has none.
+std::string_view page_text();
+
 /// A chunk and the id of its element.
 struct NamedChunk {
     std::string id, text;

@@ -1,5 +1,5 @@
-// node build.mjs OUTPUT [--literal] [--depfile FILE]: bundles the page into one HTML file without anything from outside,
-// or, with --literal, the same as C++ string literals for #include; and says in FILE what OUTPUT was made of.
+// node build.mjs OUTPUT [--source] [--depfile FILE]: bundles the page into one HTML file without anything from outside,
+// or, with --source, into the C++ source of `page_text` with the same; and says in FILE what OUTPUT was made of.
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -29,22 +29,31 @@ async function bundled(/** @type {string} */ entry) {
     return result.outputFiles[0].text;
 }
 
-// Literals of more than 65536 bytes are beyond what compilers must take; adjacent ones are one.
-function literal(/** @type {string} */ text) {
+// Literals of more than 65536 bytes are beyond what compilers must take; adjacent ones are one. In an array, because its
+// length is too much for the compiler to count.
+function source(/** @type {string} */ text) {
     const pieces = [];
     for (let at = 0; at < text.length; at += 16000) pieces.push(`R"~~~~(${text.slice(at, at + 16000)})~~~~"\n`);
-    return pieces.join("");
+    return `#include "compare/report/html/page.h"
+namespace {
+constexpr char kText[] =
+${pieces.join("")};
+}
+std::string_view loopcheck::compare::page_text() {
+    return {kText, sizeof kText - 1};
+}
+`;
 }
 
 const { values: options, positionals: [output = "page.html"] } = parseArgs({
     allowPositionals: true,
-    options: { literal: { type: "boolean" }, depfile: { type: "string" } },
+    options: { source: { type: "boolean" }, depfile: { type: "string" } },
 });
 const fill = { style: await bundled("src/style.css"), script: await bundled("src/main.tsx") };
 const template = await readFile(here("src/page.html"), "utf8");
 const page = template.replace(/<!--(style|script)-->/g, (_, part) =>
     part === "style" ? `<style>\n${fill.style}</style>` : `<script type="module">\n${fill.script}</script>`);
-await writeFile(output, options.literal ? literal(page) : page);
+await writeFile(output, options.source ? source(page) : page);
 if (options.depfile !== undefined) {
     const escaped = (/** @type {string} */ path) => path.replaceAll(/[ #]/g, "\\$&").replaceAll("$", "$$$$");
     const paths = [here("src/page.html"), ...inputs].map(escaped);
