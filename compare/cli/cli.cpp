@@ -202,6 +202,7 @@ int run(const std::vector<std::string>& arguments, std::span<const Subject> subj
         "  loopcheck compare models/cow.obj                       ours against OpenSubdiv, 5 levels\n"
         "  loopcheck compare cow.obj --weights warren --top 3     where Warren's weights differ, and by how "
         "much\n"
+        "  loopcheck compare cow.obj --html cow.html              a page to look at, with every vertex\n"
         "  loopcheck suite models --jobs 2 --junit suite.xml      every model, boundary option and peer\n"
         "  loopcheck refine cow.obj -o fine.ply --levels 3        the refined mesh\n"
         "  loopcheck explain cow.obj --vertex 17                  the rule at that vertex, and why\n"

@@ -192,9 +192,11 @@ std::string counted(std::size_t n, std::string_view noun) {
 }
 
 std::string summary_in_words(const SuiteResult& suite, int exit_code) {
-    return fmt::format("{}: {} and {} of limits of {}, levels 0 to {}: {}{}",
-                       exit_code == 0 ? "agree" : "FAIL", counted(suite.rows.size(), "comparison"),
-                       suite.limit_rows(), counted(suite.models, "model"), suite.levels,
+    const std::size_t limits = suite.limit_rows();
+    return fmt::format("{}: {}{} of {}, levels 0 to {}: {}{}", exit_code == 0 ? "agree" : "FAIL",
+                       counted(suite.rows.size(), "comparison"),
+                       limits > 0 ? fmt::format(" and {} of limits", limits) : "",
+                       counted(suite.models, "model"), suite.levels,
                        verdicts_in_words([&](Verdict verdict) { return suite.count(verdict); }),
                        suite.unreadable.empty()
                            ? ""

@@ -144,8 +144,8 @@ TEST(CommandLine, ComparesLimitsWhenAsked) {
 
 TEST(CommandLine, LeavesLimitsOutOfASuiteWhenAsked) {
     EXPECT_SAYS(loopcheck({"suite", model_path("fan-2"), "--levels", "1"}).out, "and 6 of limits");
-    EXPECT_SAYS(loopcheck({"suite", model_path("fan-2"), "--levels", "1", "--no-limit"}).out,
-                "and 0 of limits");
+    EXPECT_EQ(loopcheck({"suite", model_path("fan-2"), "--levels", "1", "--no-limit"}).out.find("of limits"),
+              std::string::npos);
 }
 
 TEST(CommandLine, WritesTheReportsItIsAskedFor) {
