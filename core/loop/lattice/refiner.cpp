@@ -240,37 +240,60 @@ class Strip {
 
 // -- Patches.
 
+// The edge point of a and b between the upright face with `up` opposite and the inverted one with `down`.
+template <class Real>
+Point<Real> inner_edge_point(const Point<Real>& a, const Point<Real>& b, bool upright, const Point<Real>& up,
+                             const Point<Real>& down) {
+    return smooth_edge_point<Real>(a, b, upright ? up : down, upright ? down : up);
+}
+
+// Row 2 j of the next level, without its ends: vertex points of row j and the edge points between them.
+template <class Real>
+void even_row(const Point<Real>* below, const Point<Real>* row, const Point<Real>* above, Index j, Index end,
+              Point<Real>* out) {
+    for (Index column = 1; column < end; ++column) {
+        const Index i = column / 2;
+        if (column % 2 == 1) {
+            out[column] =
+                inner_edge_point<Real>(row[i], row[i + 1], upright_first(j, i), above[i], below[i + 1]);
+            continue;
+        }
+        // By direction in sixths of a turn.
+        const std::array<const Point<Real>*, 6> around{row + i + 1, above + i, above + i - 1,
+                                                       row + i - 1, below + i, below + i + 1};
+        int direction = ring_start(i, j);
+        out[column] = regular_vertex_point<Real>(row[i], [&](int) -> const Point<Real>& {
+            const Point<Real>& neighbour = *around[direction];
+            direction = direction == 5 ? 0 : direction + 1;
+            return neighbour;
+        });
+    }
+}
+
+// Row 2 j + 1, without its ends: the edge points between rows j and j + 1.
+template <class Real>
+void odd_row(const Point<Real>* row, const Point<Real>* above, Index j, Index end, Point<Real>* out) {
+    for (Index column = 1; column < end; ++column) {
+        const Index i = column / 2;
+        out[column] =
+            column % 2 == 0
+                ? inner_edge_point<Real>(row[i], above[i], upright_first(i, j), row[i + 1], above[i - 1])
+                : inner_edge_point<Real>(row[i + 1], above[i], upright_first(i + j + 1, j), row[i],
+                                         above[i + 1]);
+    }
+}
+
 // The inside of the next level of a closed lattice of n segments.
 template <class Real>
 void refine_inside(const Points<Real>& before, Index n, Points<Real>& after) {
-    const auto at = [&](Index i, Index j) -> const Point<Real>& { return before[row_begin(n, j) + i]; };
-    const auto edge_point = [&](const Point<Real>& a, const Point<Real>& b, bool upright,
-                                const Point<Real>& up, const Point<Real>& inverted) {
-        return upright ? smooth_edge_point<Real>(a, b, up, inverted)
-                       : smooth_edge_point<Real>(a, b, inverted, up);
-    };
+    const auto row_of = [&](Index j) { return before.data() + row_begin(n, j); };
     for (Index row = 1; row + 1 < 2 * n; ++row) {
+        const Index j = row / 2, end = 2 * n - row;
         Point<Real>* out = after.data() + row_begin(2 * n, row);
-        const Index j = row / 2;
-        for (Index column = 1; column + row < 2 * n; ++column) {
-            const Index i = column / 2;
-            if (row % 2 == 0 && column % 2 == 0) {
-                const int start = ring_start(i, j);
-                out[column] = regular_vertex_point<Real>(at(i, j), [&](int place) {
-                    const auto [di, dj] = kSixths[(start + place) % 6];
-                    return at(i + di, j + dj);
-                });
-            } else if (row % 2 == 0) {
-                out[column] =
-                    edge_point(at(i, j), at(i + 1, j), upright_first(j, i), at(i, j + 1), at(i + 1, j - 1));
-            } else if (column % 2 == 0) {
-                out[column] =
-                    edge_point(at(i, j), at(i, j + 1), upright_first(i, j), at(i + 1, j), at(i - 1, j + 1));
-            } else {
-                out[column] = edge_point(at(i + 1, j), at(i, j + 1), upright_first(i + j + 1, j), at(i, j),
-                                         at(i + 1, j + 1));
-            }
-        }
+        if (row % 2 == 0)
+            even_row<Real>(row_of(j - 1), row_of(j), row_of(j + 1), j, end, out);
+        else
+            odd_row<Real>(row_of(j), row_of(j + 1), j, end, out);
     }
 }
 

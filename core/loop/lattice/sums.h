@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <utility>
 
 #include "core/mesh/ids.h"
 #include "core/mesh/point.h"
@@ -62,8 +61,5 @@ inline int ring_start(Index i, Index j) {
     if (i % 2 == 1) return upright_first((i + j) / 2, j / 2) ? 2 : 5;
     return upright_first(i / 2, j / 2) ? 4 : 1;
 }
-
-/// The step from a vertex to its neighbour in that direction.
-inline constexpr std::pair<Index, Index> kSixths[6]{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
 
 }  // namespace loopcheck::core
