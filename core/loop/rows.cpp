@@ -1,9 +1,9 @@
 #include "core/loop/rows.h"
 
-#include <algorithm>
 #include <map>
 #include <tuple>
 
+#include "core/loop/mask_choice.h"
 #include "core/loop/rules.h"
 
 namespace loopcheck::core {
@@ -29,67 +29,23 @@ class RowBuilder {
     }
 
   private:
-    float half_at(Index e, Index v) const { return halves_[e][t_.edge_ends[e][0] == v ? 0 : 1]; }
-
     void add_vertex_point(Index v, VertexRule rule) {
-        Mask mask{.parent = rule, .child = rule, .ring = static_cast<int>(t_.ring(v).size())};
-        if (rule == VertexRule::Crease || rule == VertexRule::Corner) sharpen(mask, v);
         const auto ring = t_.ring(v);
+        Mask mask{.parent = rule, .child = rule, .ring = static_cast<int>(ring.size())};
+        if (rule == VertexRule::Crease || rule == VertexRule::Corner) {
+            parent_ring_.clear();
+            child_ring_.clear();
+            for (const Index e : ring) {
+                parent_ring_.push_back(s_.edge[e]);
+                child_ring_.push_back(halves_[e][t_.edge_ends[e][0] == v ? 0 : 1]);
+            }
+            mask = vertex_point_mask(s_.vertex[v], parent_ring_, child_ring_);
+        }
         add_row(mask, [&](int place) { return place == mask.ring ? v : t_.other_end(ring[place], v); });
     }
 
-    // Crease and corner vertices: finds the crease, and what is left of the sharpness in the child.
-    void sharpen(Mask& mask, Index v) {
-        const auto ring = t_.ring(v);
-        const auto crease_of = [&](auto&& sharpness_of) {
-            std::vector<int> sharp;
-            for (int i = 0; i < mask.ring; ++i)
-                if (is_sharp(sharpness_of(ring[i]))) sharp.push_back(i);
-            return sharp;
-        };
-        const auto parent = crease_of([&](Index e) { return s_.edge[e]; });
-        const auto child = crease_of([&](Index e) { return half_at(e, v); });
-        const float child_vertex = uniform_decay(s_.vertex[v]);
-        if (mask.parent == VertexRule::Crease) mask.parent_crease = {parent[0], parent[1]};
-
-        mask.child = rule_of(child_vertex, static_cast<int>(child.size()));
-        if (mask.child == mask.parent) return;
-        mask.share = share_of_parent(v, child_vertex);
-        if (mask.share == 1)
-            mask.child = mask.parent;
-        else if (mask.child == VertexRule::Crease)
-            mask.child_crease = {child[0], child[1]};
-    }
-
-    // The mean of the sharpnesses that come to their end at v in this step, at most 1.
-    float share_of_parent(Index v, float child_vertex) const {
-        float sum = 0;
-        int count = 0;
-        const auto add = [&](float s) {
-            sum += s;
-            ++count;
-        };
-        if (is_sharp(s_.vertex[v]) && !is_sharp(child_vertex)) add(s_.vertex[v]);
-        for (const Index e : t_.ring(v)) {
-            const float s = s_.edge[e];
-            if (is_sharp(s) && !is_sharp(half_at(e, v))) add(s);
-        }
-        return std::min(1.0F, sum / static_cast<float>(count));
-    }
-
     void add_edge_point(Index e) {
-        Mask mask{.point = Mask::Point::Edge};
-        const float s = s_.edge[e];
-        if (is_sharp(s)) {
-            mask.parent = mask.child = VertexRule::Crease;
-            const bool child_is_crease = is_sharp(halves_[e][0]) && is_sharp(halves_[e][1]);
-            const float share = options_.crease_share == CreaseShare::Clamped ? std::min(1.0F, s) : s;
-            if (!child_is_crease && share != 1) {
-                mask.child = VertexRule::Smooth;
-                mask.share = share;
-            }
-        }
-        add_row(mask, [&](int place) {
+        add_row(edge_point_mask(s_.edge[e], halves_[e], options_.crease_share), [&](int place) {
             if (place < 2) return t_.edge_ends[e][place];
             const Index f = t_.edge_faces[e][place - 2];
             return t_.triangles[f][previous_corner(t_.corner_of_edge(f, e))];
@@ -128,6 +84,7 @@ class RowBuilder {
     std::vector<std::vector<int>> places_;
     std::map<Key, Index> ids_;
     std::array<Index, 2> latest_{kNone, kNone};
+    std::vector<float> parent_ring_, child_ring_;  // of the vertex at hand
 };
 
 }  // namespace

@@ -5,10 +5,6 @@
 #include <stdexcept>
 
 namespace loopcheck::compare {
-std::string_view why_no_page() {
-    return LOOPCHECK_WHY_NO_PAGE;
-}
-
 std::string page_with(const std::vector<NamedChunk>& chunks) {
     constexpr std::string_view kPlace = "<!--chunks-->";
     const std::string_view page = page_text();

@@ -1,5 +1,5 @@
 // node build.mjs OUTPUT [--source] [--depfile FILE]: bundles the page into one HTML file without anything from outside,
-// or, with --source, into the C++ source of `page_text` with the same; and says in FILE what OUTPUT was made of.
+// or, with --source, into the C++ source that has the same for compare/report/html/page.h; and says in FILE what OUTPUT was made of.
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -39,8 +39,13 @@ namespace {
 constexpr char kText[] =
 ${pieces.join("")};
 }
-std::string_view loopcheck::compare::page_text() {
+namespace loopcheck::compare {
+std::string_view page_text() {
     return {kText, sizeof kText - 1};
+}
+std::string_view why_no_page() {
+    return {};
+}
 }
 `;
 }
