@@ -136,7 +136,7 @@ TEST_P(EvaluateEveryModel, IsWithinItsBoundOfThirtyEightDigits) {
 // that level, taken back to the control vertices, is what `evaluate` says at that parameter.  So the surface
 // at a vertex is the limit mask (l = 0), and it does not change when the mesh is refined first (l > 0).
 TEST_P(EvaluateEveryModel, IsTheLimitMaskOfEveryVertexOfEveryLevel) {
-    constexpr int kLevels = 3;
+    const int levels = tests::levels_up_to(3);
     const Index V = model.mesh.vertex_count();
     if (V > 300) return;  // the dense rows of all levels take too long
     LimitSurface<High> surface(model.mesh, model.options);
@@ -183,7 +183,7 @@ TEST_P(EvaluateEveryModel, IsTheLimitMaskOfEveryVertexOfEveryLevel) {
                     planes.add(outside_of_plane(over_control(*tangent), du, dv) / (1000 * bound), l);
             }
         }
-        if (l == kLevels) break;
+        if (l == levels) break;
         auto next = next_level(level, model.options).value();
         const auto table_of_weights = weights_of<High>(next.rows, model.options.weights);
         std::vector<std::vector<High>> child_rows;
