@@ -86,6 +86,9 @@ async function set_level(page, level) {
     await page.locator(".level b", { hasText: String(level) }).waitFor();
 }
 
+/** @param {import("playwright-core").Page} page */
+const next_frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
+
 test("worst vertices of every level read as in the JSON", async () => {
     for (const [name, file, ...more] of [
         ["cow", "cow.obj"], ["warren", "icosahedron.obj", "--weights", "warren"], ["creased", "cow-creased.obj"],
@@ -144,7 +147,7 @@ test("a click on the surface selects the vertex under it", async () => {
         for (let i = 0; i < 12; ++i) {
             const angle = (i * Math.PI) / 6;
             await page.mouse.click(middle.x + 50 * Math.cos(angle), middle.y + 50 * Math.sin(angle));
-            await page.evaluate(() => new Promise(requestAnimationFrame));
+            for (let frame = 0; frame < 3; ++frame) await next_frame(page);  // until the selection is shown
             if ((await shown.getAttribute("data-vertex")) !== String(vertex)) break;
         }
         assert.notEqual(await shown.getAttribute("data-vertex"), String(vertex));
@@ -164,12 +167,11 @@ test("a vertex has the colour that the legend gives its class", async () => {
     const seen = new Set();
     for (const vertex of [0, 20, 40, 60, 80, 100, 120]) {
         await select(page, vertex);
-        await page.evaluate(() => new Promise(requestAnimationFrame));
         const vertex_class = (await page.locator("[data-field=class]").textContent()) ?? "";
         const fill = await page.locator(".legend li", { hasText: new RegExp(`^${vertex_class}$`) }).locator("rect")
             .getAttribute("fill");
-        // Beside the marker, which is on the vertex in the middle.
-        const colour = await page.evaluate((beside) => {
+        // Beside the marker, which is on the vertex in the middle, as soon as it is drawn.
+        const colour = () => page.evaluate((beside) => {
             const view = document.querySelector("canvas.viewer");
             if (!(view instanceof HTMLCanvasElement)) throw new Error("There is no view.");
             const copy = new OffscreenCanvas(view.width, view.height).getContext("2d");
@@ -177,7 +179,8 @@ test("a vertex has the colour that the legend gives its class", async () => {
             const at = copy?.getImageData(view.width / 2 + beside, view.height / 2, 1, 1).data;
             return `rgb(${[...(at ?? [])].slice(0, 3).join(" ")})`;
         }, 14);
-        assert.equal(colour, fill, `vertex ${vertex}, ${vertex_class}`);
+        for (let frame = 0; frame < 60 && (await colour()) !== fill; ++frame) await next_frame(page);
+        assert.equal(await colour(), fill, `vertex ${vertex}, ${vertex_class}`);
         seen.add(fill);
     }
     assert.ok(seen.size >= 3, `${seen.size} classes`);
