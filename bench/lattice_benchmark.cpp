@@ -1,6 +1,6 @@
 // Refinement straight to level L (core/loop/lattice) beside OpenSubdiv's Far, in double on one thread.
 //
-//     build/release/bench/loopcheck_lattice_bench            levels 1 to 6, a minute
+//     build/release/bench/loopcheck_lattice_bench            levels 1 to 6, two minutes
 //     build/release/bench/loopcheck_lattice_bench --smoke    one small run; checks the bits, its times mean
 //     nothing
 //
@@ -15,16 +15,12 @@
 // The runs of the two alternate on a warm heap.  Read the ratio of the medians: how many times as long
 // OpenSubdiv takes here and now.  Before that every position is compared bit for bit.
 #include <fmt/format.h>
-#include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-#include <opensubdiv/far/topologyRefiner.h>
 
 #include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cstdlib>
 #include <map>
-#include <memory>
 #include <random>
 #include <string_view>
 #include <vector>
@@ -37,13 +33,13 @@
 #include "core/loop/lattice/split_order.h"
 #include "core/loop/refine.h"
 #include "core/mesh/io/model.h"
+#include "reference/opensubdiv/last_level.h"
 
 namespace {
 
 using namespace loopcheck;
-namespace Far = OpenSubdiv::Far;
-namespace Sdc = OpenSubdiv::Sdc;
 using core::Index;
+using Peer = reference::OpensubdivLastLevel;
 
 constexpr int kLeastValence = 3, kMostValence = 14;
 
@@ -93,55 +89,6 @@ core::TriangleMesh varied_sphere(int levels) {
     return core::TriangleMesh::make(std::move(data)).value();
 }
 
-// OpenSubdiv's interface to a value.
-struct Value {
-    double x, y, z;
-
-    void Clear() { x = y = z = 0; }
-    void AddWithWeight(const Value& other, double weight) {
-        x += weight * other.x;
-        y += weight * other.y;
-        z += weight * other.z;
-    }
-};
-
-class Peer {
-  public:
-    explicit Peer(const core::TriangleMesh& mesh) {
-        const auto& triangles = mesh.topology().triangles;
-        const std::vector<int> sizes(triangles.size(), 3);
-        Far::TopologyDescriptor descriptor;
-        descriptor.numVertices = mesh.vertex_count();
-        descriptor.numFaces = static_cast<int>(triangles.size());
-        descriptor.numVertsPerFace = sizes.data();
-        descriptor.vertIndicesPerFace = triangles.front().data();
-        using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-        base_.reset(Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_LOOP)));
-        for (const auto& p : mesh.positions()) control_.push_back({p.x, p.y, p.z});
-    }
-
-    void refine(int level) {
-        refiner_.reset(Far::TopologyRefinerFactory<Far::TopologyDescriptor>::Create(*base_));
-        Far::TopologyRefiner::UniformOptions options(static_cast<unsigned>(level));
-        options.fullTopologyInLastLevel = false;
-        refiner_->RefineUniform(options);
-        const Far::PrimvarRefinerReal<double> primvars(*refiner_);
-        buffers_.resize(static_cast<std::size_t>(level) + 1);
-        buffers_[0] = control_;
-        for (int l = 1; l <= level; ++l) {
-            buffers_[l].resize(static_cast<std::size_t>(refiner_->GetLevel(l).GetNumVertices()));
-            primvars.Interpolate(l, buffers_[l - 1], buffers_[l]);
-        }
-    }
-
-    const std::vector<Value>& positions() const { return buffers_.back(); }
-
-  private:
-    std::unique_ptr<Far::TopologyRefiner> base_, refiner_;
-    std::vector<Value> control_;
-    std::vector<std::vector<Value>> buffers_;
-};
-
 class Ours {
   public:
     explicit Ours(const core::TriangleMesh& mesh) : mesh_(mesh) {}
@@ -165,16 +112,18 @@ class Ours {
 bool same_bits(const core::TriangleMesh& mesh, int level, const Ours& ours, const Peer& peer) {
     const core::LatticeOrder order(mesh.topology(), level);
     const core::SplitOrder split(mesh.topology(), level);
-    for (std::size_t v = 0; v < ours.positions().size(); ++v) {
+    const auto theirs = peer.positions();
+    if (ours.positions().size() != theirs.size()) return false;
+    for (std::size_t v = 0; v < theirs.size(); ++v) {
         const auto number = split.vertex(order.address_of(static_cast<std::int64_t>(v)));
-        const Value& b = peer.positions()[static_cast<std::size_t>(number)];
+        const glm::dvec3& b = theirs[static_cast<std::size_t>(number)];
         const glm::dvec3& a = ours.positions()[v];
         if (std::bit_cast<std::uint64_t>(a.x) != std::bit_cast<std::uint64_t>(b.x) ||
             std::bit_cast<std::uint64_t>(a.y) != std::bit_cast<std::uint64_t>(b.y) ||
             std::bit_cast<std::uint64_t>(a.z) != std::bit_cast<std::uint64_t>(b.z))
             return false;
     }
-    return ours.positions().size() == peer.positions().size();
+    return true;
 }
 
 double seconds(auto&& work) {
@@ -191,7 +140,7 @@ double median(std::vector<double> values) {
 // False where a bit differs.
 bool run(const core::TriangleMesh& mesh, int level, int repetitions) {
     Ours ours(mesh);
-    Peer peer(mesh);
+    Peer peer = Peer::make(mesh, {}).value();
     ours.refine(level);
     peer.refine(level);
     if (!same_bits(mesh, level, ours, peer)) {

@@ -2,6 +2,7 @@
 // makes inside faces is smooth.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "core/loop/sharpness.h"
@@ -21,17 +22,25 @@ class LatticeSharpness {
 
     float of_vertex(Index v) const { return vertex_[v]; }
     /// Of segment q of edge e, counted from its end 0.
-    float of_segment(Index e, Index q) const { return edge_[e].size() == 1 ? edge_[e][0] : edge_[e][q]; }
+    float of_segment(Index e, Index q) const { return is_even(e) ? edge_[e] : uneven_.find(e)->second[q]; }
     /// The segment of e that is next to its end 0 or 1.
-    float at_end(Index e, int end) const { return end == 0 ? edge_[e].front() : edge_[e].back(); }
+    float at_end(Index e, int end) const {
+        if (is_even(e)) return edge_[e];
+        const std::vector<float>& segments = uneven_.find(e)->second;
+        return end == 0 ? segments.front() : segments.back();
+    }
     /// True where all segments of e are alike.
-    bool is_even(Index e) const { return edge_[e].size() == 1; }
+    bool is_even(Index e) const { return edge_[e] != kUneven; }
 
   private:
+    static constexpr float kUneven = -1;
+
     LatticeSharpness() = default;
+    std::vector<float> halves_of(const Topology& topology, Index e) const;
 
     int level_ = 0;
-    std::vector<std::vector<float>> edge_;  // one value where all are alike, else one a segment
+    std::vector<float> edge_;                     // of all segments, or kUneven
+    std::map<Index, std::vector<float>> uneven_;  // one a segment
     std::vector<float> vertex_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 #include "core/loop/lattice/sums.h"
 #include "core/loop/mask_choice.h"
@@ -21,6 +22,46 @@ Point<Real> apply_mask(const Mask& mask, Weights weights, PointAt&& point_at) {
     for (std::size_t i = 0; i < w.size(); ++i) sum += w[i] * point_at(places[i]);
     return sum;
 }
+
+// The same for masks that most vertices have, without the mask as data.
+template <class Real>
+Point<Real> crease_edge_point(const Point<Real>& a, const Point<Real>& b) {
+    constexpr Real half = Real(1) / 2;
+    Point<Real> sum(0);
+    sum += half * a;
+    sum += half * b;
+    return sum;
+}
+
+template <class Real>
+Point<Real> crease_vertex_point(const Point<Real>& a, const Point<Real>& b, const Point<Real>& vertex) {
+    constexpr Real side = Real(1) / 8, centre = Real(3) / 4;
+    Point<Real> sum(0);
+    sum += side * a;
+    sum += side * b;
+    sum += centre * vertex;
+    return sum;
+}
+
+// Of smooth vertices: the weight of a neighbour and that of the vertex, by valence.
+template <class Real>
+class SmoothWeights {
+  public:
+    SmoothWeights(const Topology& topology, Weights weights) {
+        for (Index v = 0; v < topology.vertex_count; ++v) {
+            const std::size_t n = topology.ring(v).size();
+            if (n < 2) continue;
+            if (n >= by_valence_.size()) by_valence_.resize(n + 1, {Real(0), Real(0)});
+            if (by_valence_[n][1] != 0) continue;
+            const auto all = weights_of<Real>(Mask{.ring = static_cast<int>(n)}, weights);
+            by_valence_[n] = {all.front(), all.back()};
+        }
+    }
+    const std::array<Real, 2>& operator[](std::size_t n) const { return by_valence_[n]; }
+
+  private:
+    std::vector<std::array<Real, 2>> by_valence_;
+};
 
 int end_of(const Topology& topology, Index e, Index v) {
     return topology.edge_ends[e][0] == v ? 0 : 1;
@@ -51,10 +92,18 @@ struct Pass {
     const LatticeSharpness& child;
     Index segments;
 
-    Mask edge_mask(Index e, Index q) const {
-        return edge_point_mask(sharpness.of_segment(e, q),
-                               {child.of_segment(e, 2 * q), child.of_segment(e, 2 * q + 1)},
-                               options.crease_share);
+    // The edge point of segment q of edge e, with ends a and b; `beyond(side)` is opposite it in a face.
+    template <class Real, class Beyond>
+    Point<Real> edge_point(Index e, Index q, const Point<Real>& a, const Point<Real>& b,
+                           Beyond&& beyond) const {
+        const float s = sharpness.of_segment(e, q);
+        if (!is_sharp(s)) return smooth_edge_point<Real>(a, b, beyond(0), beyond(1));
+        if (is_infinite(s)) return crease_edge_point<Real>(a, b);
+        const Mask mask = edge_point_mask(s, {child.of_segment(e, 2 * q), child.of_segment(e, 2 * q + 1)},
+                                          options.crease_share);
+        return apply_mask<Real>(mask, options.weights, [&](int place) {
+            return place < 2 ? (place == 0 ? a : b) : beyond(place - 2);
+        });
     }
 };
 
@@ -76,36 +125,60 @@ const Point<Real>& opposite(std::span<const Point<Real>> ring, std::size_t i, in
 }
 
 template <class Real>
-Fan<Real> next_fan(const Pass& pass, const Fan<Real>& fan) {
-    const Topology& t = pass.topology;
-    Fan<Real> out;
-    out.centre.reserve(fan.centre.size());
-    out.ring.reserve(fan.ring.size());
-    std::vector<float> sharp, child_sharp;
-    for (Index v = 0; v < t.vertex_count; ++v) {
-        const auto edges = t.ring(v);
-        const std::span<const Point<Real>> ring(fan.ring.data() + t.ring_offsets[v], edges.size());
-        sharp.clear();
-        child_sharp.clear();
-        for (const Index e : edges) {
-            sharp.push_back(pass.sharpness.at_end(e, end_of(t, e, v)));
-            child_sharp.push_back(pass.child.at_end(e, end_of(t, e, v)));
+class FanStep {
+  public:
+    FanStep(const Pass& pass, const Fan<Real>& fan, const SmoothWeights<Real>& smooth)
+        : pass_(pass), t_(pass.topology), fan_(fan), smooth_(smooth) {}
+
+    Fan<Real> run() {
+        Fan<Real> out;
+        out.centre.reserve(fan_.centre.size());
+        out.ring.reserve(fan_.ring.size());
+        for (Index v = 0; v < t_.vertex_count; ++v) {
+            const auto edges = t_.ring(v);
+            const std::span<const Point<Real>> ring(fan_.ring.data() + t_.ring_offsets[v], edges.size());
+            out.centre.push_back(vertex_point(v, edges, ring));
+            for (std::size_t i = 0; i < edges.size(); ++i)
+                out.ring.push_back(edge_point(v, edges[i], ring, i));
         }
-        const Mask mask = vertex_point_mask(pass.sharpness.of_vertex(v), sharp, child_sharp);
-        out.centre.push_back(apply_mask<Real>(mask, pass.options.weights, [&](int place) {
-            return place == mask.ring ? fan.centre[v] : ring[static_cast<std::size_t>(place)];
-        }));
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            const int end = end_of(t, edges[i], v);
-            const Mask edge = pass.edge_mask(edges[i], end == 0 ? 0 : pass.segments - 1);
-            out.ring.push_back(apply_mask<Real>(edge, pass.options.weights, [&](int place) {
-                if (place < 2) return place == end ? fan.centre[v] : ring[i];
-                return opposite<Real>(ring, i, end, place - 2);
-            }));
-        }
+        return out;
     }
-    return out;
-}
+
+  private:
+    Point<Real> vertex_point(Index v, std::span<const Index> edges, std::span<const Point<Real>> ring) {
+        sharp_.clear();
+        bool is_smooth = !is_sharp(pass_.sharpness.of_vertex(v));
+        for (const Index e : edges) {
+            sharp_.push_back(pass_.sharpness.at_end(e, end_of(t_, e, v)));
+            is_smooth &= !is_sharp(sharp_.back());
+        }
+        if (is_smooth) {
+            const auto& [side, centre] = smooth_[ring.size()];
+            Point<Real> sum(0);
+            for (const Point<Real>& p : ring) sum += side * p;
+            sum += centre * fan_.centre[v];
+            return sum;
+        }
+        child_sharp_.clear();
+        for (const Index e : edges) child_sharp_.push_back(pass_.child.at_end(e, end_of(t_, e, v)));
+        const Mask mask = vertex_point_mask(pass_.sharpness.of_vertex(v), sharp_, child_sharp_);
+        return apply_mask<Real>(mask, pass_.options.weights, [&](int place) {
+            return place == mask.ring ? fan_.centre[v] : ring[static_cast<std::size_t>(place)];
+        });
+    }
+
+    Point<Real> edge_point(Index v, Index e, std::span<const Point<Real>> ring, std::size_t i) const {
+        const int end = end_of(t_, e, v);
+        const auto beyond = [&](int side) { return opposite<Real>(ring, i, end, side); };
+        return pass_.edge_point<Real>(e, end == 0 ? 0 : pass_.segments - 1, fan_.centre[v], ring[i], beyond);
+    }
+
+    const Pass& pass_;
+    const Topology& t_;
+    const Fan<Real>& fan_;
+    const SmoothWeights<Real>& smooth_;
+    std::vector<float> sharp_, child_sharp_;  // of the vertex at hand
+};
 
 // -- Strips.
 
@@ -123,16 +196,16 @@ struct RowEnds {
 template <class Real>
 class Strip {
   public:
-    Strip(const Topology& topology, Index e)
-        : t_(topology), e_(e), sides_(topology.is_boundary_edge(e) ? 1 : 2) {
+    explicit Strip(const Topology& topology) : t_(topology) {}
+
+    void start(Index e, const Fan<Real>& fan) {
+        e_ = e;
+        sides_ = t_.is_boundary_edge(e) ? 1 : 2;
         for (int end = 0; end < 2; ++end) {
             const auto ring = t_.ring(t_.edge_ends[e][end]);
             place_[end] = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), e) - ring.begin());
         }
-    }
-
-    void start(const Fan<Real>& fan) {
-        for (int side = 0; side < sides_; ++side) rows_[side] = {ends(fan, side).first};
+        for (int side = 0; side < sides_; ++side) rows_[side].assign(1, ends(fan, side).first);
     }
 
     // From the points `edge` to those of the next level, `next`.
@@ -143,7 +216,7 @@ class Strip {
         next[2 * n] = next_fan.centre[t_.edge_ends[e_][1]];
         vertex_points(pass, edge, next);
         edge_points(pass, edge, next);
-        for (int side = 0; side < sides_; ++side) rows_[side] = next_row(side, edge, ends(next_fan, side));
+        for (int side = 0; side < sides_; ++side) advance_row(side, edge, ends(next_fan, side));
     }
 
   private:
@@ -192,6 +265,10 @@ class Strip {
                     regular_vertex_point<Real>(edge[i], [&](int place) { return neighbour(edge, i, place); });
                 continue;
             }
+            if (is_infinite(sharp[0]) && is_infinite(sharp[3])) {
+                next[2 * i] = crease_vertex_point<Real>(edge[i + 1], edge[i - 1], edge[i]);
+                continue;
+            }
             child[0] = pass.child.of_segment(e_, 2 * i);
             child[3] = pass.child.of_segment(e_, 2 * i - 1);
             const std::size_t size = static_cast<std::size_t>(ring);
@@ -204,38 +281,34 @@ class Strip {
     }
 
     void edge_points(const Pass& pass, std::span<const Point<Real>> edge, std::span<Point<Real>> next) const {
-        for (Index q = 0; q < pass.segments; ++q) {
-            if (!is_sharp(pass.sharpness.of_segment(e_, q))) {
-                next[2 * q + 1] = smooth_edge_point<Real>(edge[q], edge[q + 1], beside(0, q), beside(1, q));
-                continue;
-            }
-            next[2 * q + 1] = apply_mask<Real>(pass.edge_mask(e_, q), pass.options.weights, [&](int place) {
-                return place < 2 ? edge[q + place] : beside(place - 2, q);
-            });
-        }
+        for (Index q = 0; q < pass.segments; ++q)
+            next[2 * q + 1] =
+                pass.edge_point<Real>(e_, q, edge[q], edge[q + 1], [&](int side) { return beside(side, q); });
     }
 
     // Segments from the edge to the row: the first of a line, so the upright face comes first.
-    Row<Real> next_row(int side, std::span<const Point<Real>> edge, const RowEnds<Real>& ends) const {
-        const Row<Real>& row = rows_[side];
+    void advance_row(int side, std::span<const Point<Real>> edge, const RowEnds<Real>& ends) {
+        Row<Real>& row = rows_[side];
         const std::size_t n = row.size();
-        const auto at = [&](std::size_t k) { return side == 0 ? edge[k] : edge[n - k]; };
-        Row<Real> out;
-        out.reserve(2 * n);
-        for (std::size_t k = 0; k < n; ++k) {
-            out.push_back(k == 0 ? ends.first
-                                 : smooth_edge_point<Real>(at(k), row[k], at(k + 1), row[k - 1]));
-            out.push_back(k + 1 == n ? ends.last
-                                     : smooth_edge_point<Real>(at(k + 1), row[k], at(k), row[k + 1]));
+        const auto at = [&](std::size_t k) -> const Point<Real>& {
+            return side == 0 ? edge[k] : edge[n - k];
+        };
+        spare_.resize(2 * n);
+        spare_.front() = ends.first;
+        spare_.back() = ends.last;
+        for (std::size_t k = 0; k + 1 < n; ++k) {
+            spare_[2 * k + 1] = smooth_edge_point<Real>(at(k + 1), row[k], at(k), row[k + 1]);
+            spare_[2 * k + 2] = smooth_edge_point<Real>(at(k + 1), row[k + 1], at(k + 2), row[k]);
         }
-        return out;
+        std::swap(row, spare_);
     }
 
     const Topology& t_;
-    Index e_;
-    int sides_;
+    Index e_ = 0;
+    int sides_ = 2;
     std::array<std::size_t, 2> place_{};  // of the edge in the rings of its ends
     std::array<Row<Real>, 2> rows_;
+    Row<Real> spare_;
 };
 
 // -- Patches.
@@ -325,19 +398,23 @@ LatticeRefiner::Skeleton<Real> LatticeRefiner::refine_skeleton(std::span<const P
     const auto pass = [&](int l) {
         return Pass{topology_, options_, sharpness_[l], sharpness_[l + 1], Index{1} << l};
     };
-    for (int l = 0; l < levels; ++l) fans.push_back(next_fan<Real>(pass(l), fans.back()));
+    const SmoothWeights<Real> smooth(topology_, options_.weights);
+    for (int l = 0; l < levels; ++l) {
+        const Pass step = pass(l);
+        fans.push_back(FanStep<Real>(step, fans.back(), smooth).run());
+    }
 
     Skeleton<Real> out{fans.back().centre, {}};
     const auto edges = static_cast<std::size_t>(topology_.edge_count());
     for (int l = 0; l <= levels; ++l) out.edges.emplace_back(edges * ((std::size_t{1} << l) + 1));
+    Strip<Real> strip(topology_);
     for (std::size_t e = 0; e < edges; ++e) {
         const auto points = [&](int l) {
             const std::size_t size = (std::size_t{1} << l) + 1;
             return std::span(out.edges[l]).subspan(e * size, size);
         };
         for (int end = 0; end < 2; ++end) points(0)[end] = control[topology_.edge_ends[e][end]];
-        Strip<Real> strip(topology_, static_cast<Index>(e));
-        strip.start(fans[0]);
+        strip.start(static_cast<Index>(e), fans[0]);
         for (int l = 0; l < levels; ++l) strip.step(pass(l), fans[l + 1], points(l), points(l + 1));
     }
     return out;
@@ -387,13 +464,32 @@ void LatticeRefiner::refine(std::span<const Point<Real>> control, std::span<Poin
 void LatticeRefiner::triangles(std::span<Triangle> faces) const {
     const Index n = order_.segments();
     auto out = faces.begin();
-    for (Index f = 0; f < topology_.face_count(); ++f)
-        for (std::int64_t t = 0; t < std::int64_t{n} * n; ++t) {
-            const auto corners = corners_of(triangle_at(n, t));
-            for (int c = 0; c < 3; ++c)
-                (*out)[c] = static_cast<Index>(order_.vertex_at(topology_, f, corners[c][0], corners[c][1]));
-            ++out;
+    std::vector<Index> row, above;
+    // The vertices of row j, of which those between the ends are numbered in turn.
+    const auto fill = [&](std::vector<Index>& vertices, Index f, Index j) {
+        const Index last = n - j;
+        vertices.resize(static_cast<std::size_t>(last) + 1);
+        vertices[0] = static_cast<Index>(order_.vertex_at(topology_, f, 0, j));
+        vertices[last] = static_cast<Index>(order_.vertex_at(topology_, f, last, j));
+        if (j == 0)
+            for (Index i = 1; i < last; ++i)
+                vertices[i] = static_cast<Index>(order_.vertex_at(topology_, f, i, 0));
+        else if (last > 1)
+            std::iota(vertices.begin() + 1, vertices.end() - 1,
+                      static_cast<Index>(order_.index_of({LatticeAddress::Kind::Face, f, 1, j})));
+    };
+    for (Index f = 0; f < topology_.face_count(); ++f) {
+        fill(row, f, 0);
+        for (Index j = 0; j < n; ++j) {
+            fill(above, f, j + 1);
+            for (Index i = 0; i + j + 1 < n; ++i) {
+                *out++ = {row[i], row[i + 1], above[i]};
+                *out++ = {above[i + 1], above[i], row[i + 1]};
+            }
+            *out++ = {row[n - j - 1], row[n - j], above[n - j - 1]};
+            std::swap(row, above);
         }
+    }
 }
 
 template void LatticeRefiner::refine<float>(std::span<const Point<float>>, std::span<Point<float>>) const;
