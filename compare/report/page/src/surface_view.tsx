@@ -9,12 +9,14 @@ import type { MeshLevel, Points } from "./mesh_level";
 import { short } from "./numbers";
 import { type Mode, type Surface, Viewer } from "./viewer/viewer";
 
-const kModes: { mode: Mode; label: string }[] = [
-    { mode: "subject", label: "ours" },
-    { mode: "reference", label: "the other" },
-    { mode: "overlay", label: "overlay" },
-    { mode: "side-by-side", label: "side by side" },
-];
+function modes_of(json: ComparisonJson): { mode: Mode; label: string }[] {
+    return [
+        { mode: "subject", label: json.subject },
+        { mode: "reference", label: json.reference },
+        { mode: "overlay", label: "overlay" },
+        { mode: "side-by-side", label: "side by side" },
+    ];
+}
 
 /// Steps of the slider, from the true difference to one of a tenth of the model.
 const kExaggerations = 100;
@@ -111,10 +113,10 @@ export function SurfaceView({ level, frame, json, points, layers, layer, on_laye
                         {layers.map((one) => <option key={one.id} value={one.id}>{one.label}</option>)}
                     </select>
                 </label>
-                {other !== null && (
+                {json !== undefined && other !== null && (
                     <fieldset class="inline">
                         <legend>Show</legend>
-                        {kModes.map(({ mode, label }) => (
+                        {modes_of(json).map(({ mode, label }) => (
                             <label key={mode}>
                                 <input type="radio" name="mode" checked={drawing.mode === mode} onChange={() => set({ mode })} /> {label}
                             </label>
