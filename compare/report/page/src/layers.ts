@@ -1,7 +1,7 @@
 // What a surface can be coloured by.
 import type { Chunk } from "./chunk";
 import type { Case } from "./format";
-import type { MeshLevel, Points } from "./mesh_level";
+import type { MeshLevel, Points, VertexNumber } from "./mesh_level";
 
 /// Values of one level: numbers on a scale, or indices of names.
 export type Layer = NumberLayer | NameLayer;
@@ -34,11 +34,14 @@ export function vertex_layers(chunk: Chunk<Case>, level: MeshLevel, comparison: 
     };
     if (json !== undefined) {
         const difference = level.difference(json, points);
-        add("difference", `error: ${json.subject} \u2212 ${json.reference}`, "u M", difference?.map((e) => e / json.uM) ?? null);
-        add("subject", `error of ${json.subject} (38 digits)`, "u M", level.numbers(comparison, points, "subject_error"));
-        add("reference", `error of ${json.reference} (38 digits)`, "u M", level.numbers(comparison, points, "reference_error"));
-        add("bound_use", "share of the proven bound", "", level.numbers(comparison, points, "bound_use"));
-        if (points === "limit") add("normal", "angle between the normals", "\u00b0", level.normal_numbers(comparison, "normal"));
+        const { subject, reference, uM } = json;
+        const numbers = (what: VertexNumber) => level.numbers(comparison, points, what);
+        add("difference", `error: ${subject} \u2212 ${reference}`, "u M", difference?.map((e) => e / uM) ?? null);
+        add("subject", `error of ${subject} (38 digits)`, "u M", numbers("subject_error"));
+        add("reference", `error of ${reference} (38 digits)`, "u M", numbers("reference_error"));
+        add("bound_use", "share of the proven bound", "", numbers("bound_use"));
+        if (points === "limit")
+            add("normal", "angle between the normals", "\u00b0", level.normal_numbers(comparison, "normal"));
         const deviations = level.deviations(comparison, points);
         if (deviations !== null)
             layers.push({
@@ -47,7 +50,8 @@ export function vertex_layers(chunk: Chunk<Case>, level: MeshLevel, comparison: 
             });
     }
     layers.push({
-        kind: "names", id: "class", label: "vertex class", per: "vertex", names: header.classes, values: level.classes(),
+        kind: "names", id: "class", label: "vertex class", per: "vertex",
+        names: header.classes, values: level.classes(),
     });
     return layers;
 }

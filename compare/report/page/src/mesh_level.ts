@@ -5,6 +5,9 @@ import type { ArrayRef, Case, ComparisonJson, Level, VertexNumbers } from "./for
 /// Refinement, or the limits of the same vertices.
 export type Points = "refined" | "limit";
 
+/// What the referee says of a vertex.
+export type VertexNumber = "subject_error" | "reference_error" | "bound" | "bound_use";
+
 export interface MaskEntry {
     vertex: number;
     weight: string;
@@ -75,8 +78,7 @@ export class MeshLevel {
     }
 
     /// In u M of that comparison (angles in degrees); null where the file has none.
-    numbers(comparison: number, points: Points, what: "subject_error" | "reference_error" | "bound" | "bound_use"):
-        Float32Array | null {
+    numbers(comparison: number, points: Points, what: VertexNumber): Float32Array | null {
         const numbers = this.level.comparisons[comparison];
         const from = points === "limit" ? numbers?.limits : numbers;
         return from ? this.chunk.array("f32", from[what]) : null;

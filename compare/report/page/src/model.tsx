@@ -52,8 +52,7 @@ export function CasePage({ report, case_index, result_index, is_alone }: {
             {!is_alone && <p><a href="#/">&larr; All results</a></p>}
             <h2 id="case">{summary.model}</h2>
             <p class="muted">
-                {rules_of(report, summary)}{counted(summary.vertices, report.command === "curve" ? "point" : "vertex", report.command === "curve" ? "points" : "vertices")}
-                {report.command !== "curve" && `, ${counted(summary.faces, "face")}, ${summary.boundary_edges === 0 ? "closed" : counted(summary.boundary_edges, "boundary edge")}`}
+                {report.command === "curve" ? counted(summary.vertices, "point") : mesh_in_words(summary)}
             </p>
             <ResultChoice summary={summary} case_index={case_index} result_index={result_index} />
             {result !== undefined && <Notes result={result} />}
@@ -66,10 +65,11 @@ export function CasePage({ report, case_index, result_index, is_alone }: {
     );
 }
 
-function rules_of(report: Report, one: CaseSummary): string {
-    if (report.command === "curve") return "";
+function mesh_in_words(one: CaseSummary): string {
     const weights = one.weights === "loop" ? "" : `, weights ${one.weights}`;
-    return `boundary ${one.boundary}, creasing ${one.creasing}${weights}; `;
+    const boundary = one.boundary_edges === 0 ? "closed" : counted(one.boundary_edges, "boundary edge");
+    return `boundary ${one.boundary}, creasing ${one.creasing}${weights}; `
+        + `${counted(one.vertices, "vertex", "vertices")}, ${counted(one.faces, "face")}, ${boundary}`;
 }
 
 function pair_in_words(result: ResultSummary): string {
@@ -108,6 +108,12 @@ function Notes({ result }: { result: ResultSummary }) {
         </div>
     );
 }
+
+/// What has the values of a layer; those of faces belong to the control mesh.
+const kNouns = {
+    vertex: { one: "vertex", many: "vertices" },
+    face: { one: "control face", many: "control faces" },
+};
 
 function MeshPage({ report, chunk, summary, result }: {
     report: Report;
@@ -175,7 +181,9 @@ function MeshPage({ report, chunk, summary, result }: {
                     <div class="side">
                         <VertexForm level={level} selected={selected} on_go={go_to} />
                         <WorstVertices level={level} layers={layers} layer={layer} selected={selected} on_go={go_to} />
-                        {selected === null ? <p class="muted">Click a vertex, type its number, or take one of the worst.</p> : (
+                        {selected === null ? (
+                            <p class="muted">Click a vertex, type its number, or take one of the worst.</p>
+                        ) : (
                             <VertexDetails
                                 chunk={chunk} level={level} comparison={comparison} points={shown_points}
                                 vertex={selected} deviations={report.deviations}
@@ -195,11 +203,11 @@ function MeshPage({ report, chunk, summary, result }: {
             )}
             <div class="plots">
                 {json !== undefined && <ErrorPlot comparison={json} />}
-                {layer?.kind === "numbers" && layer.per === "face" && (
-                    <Histogram values={values} title={layer.label} unit={layer.unit} noun={{ one: "control face", many: "control faces" }} />
-                )}
-                {level !== null && layer?.kind === "numbers" && layer.per === "vertex" && (
-                    <Histogram values={values} title={`${layer.label}, level ${level.level.level}`} unit={layer.unit} noun={{ one: "vertex", many: "vertices" }} />
+                {level !== null && layer?.kind === "numbers" && (
+                    <Histogram
+                        values={values} unit={layer.unit} noun={kNouns[layer.per]}
+                        title={layer.per === "face" ? layer.label : `${layer.label}, level ${level.level.level}`}
+                    />
                 )}
                 {header.convergence.length > 0 && <ConvergencePlot points={header.convergence} />}
             </div>
@@ -234,7 +242,8 @@ function LevelControls({ chunk, level, level_index, points, on_level, on_points 
                     <legend>Points</legend>
                     {(["refined", "limit"] as const).map((one) => (
                         <label key={one}>
-                            <input type="radio" name="points" checked={points === one} onChange={() => on_points(one)} /> {one}
+                            <input type="radio" name="points" checked={points === one} onChange={() => on_points(one)} />
+                            {" "}{one}
                         </label>
                     ))}
                 </fieldset>
@@ -263,7 +272,9 @@ function VertexForm({ level, selected, on_go }: {
                 id="vertex" inputMode="numeric" autocomplete="off" value={text} aria-invalid={text !== "" && !exists}
                 aria-describedby="vertices" onInput={(event) => set_typed({ text: event.currentTarget.value, beside: selected })}
             />
-            <span id="vertices" class="muted">of level {level.level.level}: 0 to {grouped(level.level.vertices - 1)}</span>
+            <span id="vertices" class="muted">
+                of level {level.level.level}: 0 to {grouped(level.level.vertices - 1)}
+            </span>
             <button type="submit" disabled={!exists}>Go</button>
         </form>
     );
@@ -273,11 +284,11 @@ function LeftOut({ chunk, summary }: { chunk: Chunk<Case>; summary: CaseSummary 
     const { left_out, levels } = chunk.header;
     if (left_out.length === 0) return null;
     const list = left_out.map((one) => `${one.level} (${counted(one.vertices, "vertex", "vertices")})`).join(", ");
+    const which = left_out.length > 1 ? `Levels ${list} are` : `Level ${list} is`;
     return (
         <p class="muted left-out">
-            {levels.length === 0 ? "No level is" : `Level${left_out.length > 1 ? "s" : ""} ${list} ${left_out.length > 1 ? "are" : "is"} not`}
-            {levels.length === 0 ? " in this file: all are" : " in this file, being"} too large for it, but all were compared.
-            {" "}<code>--html-vertices</code> sets how many vertices of a level of {summary.model} are shown.
+            {levels.length === 0 ? "No level is" : `${which} not`} in this file: too large for it, but compared all the
+            same. <code>--html-vertices</code> sets how many vertices of a level of {summary.model} are shown.
         </p>
     );
 }

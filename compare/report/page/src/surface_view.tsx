@@ -118,7 +118,10 @@ export function SurfaceView({ level, frame, json, points, layers, layer, on_laye
                         <legend>Show</legend>
                         {modes_of(json).map(({ mode, label }) => (
                             <label key={mode}>
-                                <input type="radio" name="mode" checked={drawing.mode === mode} onChange={() => set({ mode })} /> {label}
+                                <input
+                                    type="radio" name="mode" checked={drawing.mode === mode}
+                                    onChange={() => set({ mode })}
+                                /> {label}
                             </label>
                         ))}
                     </fieldset>

@@ -13,8 +13,12 @@ interface Look {
 export const kVerdicts: Record<VerdictName, Look> = {
     failed: { rank: 0, sign: "!", tone: "failed", meaning: "a subject gave an error or broke its promise" },
     differs: { rank: 1, sign: "\u2260", tone: "differs", meaning: "the masks, the rules or the topology differ" },
-    "known deviation": { rank: 2, sign: "\u25c6", tone: "named", meaning: "differs as listed, by the predicted amount" },
-    "within rounding": { rank: 3, sign: "\u2248", tone: "rounding", meaning: "no further apart than rounding explains" },
+    "known deviation": {
+        rank: 2, sign: "\u25c6", tone: "named", meaning: "differs as listed, by the predicted amount",
+    },
+    "within rounding": {
+        rank: 3, sign: "\u2248", tone: "rounding", meaning: "no further apart than rounding explains",
+    },
     identical: { rank: 4, sign: "=", tone: "identical", meaning: "every coordinate has the same bits" },
     "not supported": { rank: 5, sign: "\u2013", tone: "unsupported", meaning: "a subject says that it cannot do this" },
 };

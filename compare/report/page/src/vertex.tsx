@@ -3,11 +3,12 @@ import type { ComponentChildren } from "preact";
 
 import type { Chunk } from "./chunk";
 import type { Case, ComparisonJson, DeviationInfo } from "./format";
-import { type Ancestor, type MeshLevel, point, type Points } from "./mesh_level";
+import { type Ancestor, type MeshLevel, point, type Points, type VertexNumber } from "./mesh_level";
 import { hexfloat, short } from "./numbers";
 
 export function ancestor_in_words(ancestor: Ancestor): string {
-    return "vertex" in ancestor ? `vertex point of ${ancestor.vertex}` : `edge point of face ${ancestor.face} edge ${ancestor.edge}`;
+    if ("vertex" in ancestor) return `vertex point of ${ancestor.vertex}`;
+    return `edge point of face ${ancestor.face} edge ${ancestor.edge}`;
 }
 
 export function VertexDetails({ chunk, level, comparison, points, vertex, deviations }: {
@@ -32,7 +33,9 @@ export function VertexDetails({ chunk, level, comparison, points, vertex, deviat
                 <dd data-field="class">{level.vertex_class(vertex)}</dd>
                 <dt>Rule</dt>
                 <dd data-field="rule">{level.rule(vertex) ?? "none: a control vertex"}</dd>
-                {json !== undefined && <Errors level={level} json={json} comparison={comparison} points={points} vertex={vertex} />}
+                {json !== undefined && (
+                    <Errors level={level} json={json} comparison={comparison} points={points} vertex={vertex} />
+                )}
             </dl>
             {deviation !== undefined && (
                 <Deviation name={deviation} info={deviations.find((one) => one.name === deviation)} />
@@ -52,15 +55,16 @@ function Errors({ level, json, comparison, points, vertex }: {
     vertex: number;
 }) {
     const error = level.difference(json, points)?.[vertex];
-    const number = (what: "subject_error" | "reference_error" | "bound" | "bound_use") =>
-        level.numbers(comparison, points, what)?.[vertex] ?? NaN;
+    const number = (what: VertexNumber) => level.numbers(comparison, points, what)?.[vertex] ?? NaN;
     return (
         <>
             {error !== undefined && (
                 <>
                     <dt>|{json.subject} &minus; {json.reference}|</dt>
                     <dd>
-                        <span data-field="error" data-value={error}>{error === 0 ? "0: the same bits or signed zeros" : short(error)}</span>
+                        <span data-field="error" data-value={error}>
+                            {error === 0 ? "0: the same bits or signed zeros" : short(error)}
+                        </span>
                         {error > 0 && json.diagonal > 0 && `, ${short(error / json.diagonal)} of the diagonal`}
                         {error > 0 && `, ${short(error / json.uM)} u M`}
                     </dd>
@@ -76,14 +80,20 @@ function Errors({ level, json, comparison, points, vertex }: {
     );
 }
 
+const kKinds: Record<DeviationInfo["kind"], string> = {
+    error: "An error",
+    approximation: "An approximation",
+    documented: "Documented",
+};
+
 function Deviation({ name, info }: { name: string; info: DeviationInfo | undefined }) {
     return (
         <div class="deviation">
             <h4>Known deviation: {name}</h4>
             {info !== undefined && (
                 <p>
-                    {info.what} {info.kind === "error" ? "An error" : info.kind === "approximation" ? "An approximation" : "Documented"}
-                    {" "}of {info.family}, seen in {info.versions}; <code>{info.page}</code> says more.
+                    {info.what} {kKinds[info.kind]} of {info.family}, seen in {info.versions};{" "}
+                    <code>{info.page}</code> says more.
                 </p>
             )}
         </div>

@@ -34,7 +34,8 @@ export function WorstVertices({ level, layers, layer, selected, on_go }: {
     const worst = useMemo(() => largest(values, kListed), [values]);
     if (numbers === undefined) return null;
     // The first of the faces that a control face became is at its first corner.
-    const vertex_of = (i: number) => (numbers.per === "vertex" ? i : level.triangles[3 * i * 4 ** level.level.level]!);
+    const children = 4 ** level.level.level;
+    const vertex_of = (i: number) => (numbers.per === "vertex" ? i : level.triangles[3 * i * children]!);
     const noun = numbers.per === "vertex" ? "vertex" : "control face";
     return (
         <div class="worst">
@@ -44,7 +45,10 @@ export function WorstVertices({ level, layers, layer, selected, on_go }: {
                 <ol>
                     {worst.map((i) => (
                         <li key={i}>
-                            <button type="button" aria-pressed={vertex_of(i) === selected} onClick={() => on_go(vertex_of(i))}>
+                            <button
+                                type="button" aria-pressed={vertex_of(i) === selected}
+                                onClick={() => on_go(vertex_of(i))}
+                            >
                                 {noun} {i} <span class="muted">{short(values[i]!)} {numbers.unit}</span>
                             </button>
                         </li>
