@@ -21,6 +21,10 @@ function Page({ report }: { report: Report }) {
         document.title = [case_shown?.model, `${kProject} ${report.command}`].filter(Boolean).join(" \u2013 ");
         if (!alone) scrollTo(0, 0);
     }, [report, case_shown, alone]);
+    // A lone case stands below its table: what was asked for is brought into view.
+    useEffect(() => {
+        if (alone && route !== null) document.getElementById("case")?.scrollIntoView();
+    }, [alone, route]);
     return (
         <>
             <header>

@@ -315,6 +315,16 @@ test("no accessibility rule is broken, in light and dark, wide and narrow", asyn
             }
 });
 
+test("a way of evaluation that is asked for is brought into view", async () => {
+    const { html } = report("ways", ["limit", model("icosahedron.obj")]);
+    const { page, complaints, close } = await open(html);
+    await page.getByRole("button", { name: /Show on the model/ }).nth(3).click();
+    await page.waitForFunction(() => location.hash === "#/case/0/3"
+        && Math.abs(document.getElementById("case")?.getBoundingClientRect().top ?? Infinity) < 5);
+    assert.deepEqual(complaints, []);
+    await close();
+});
+
 test("names from outside are text", async () => {
     // The path holds a closing tag.
     const path = join(folder, "<img src=x onerror=alert(1)><script>alert(2)<", "script>.obj");
