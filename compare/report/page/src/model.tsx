@@ -45,8 +45,9 @@ export function CasePage({ report, case_index, result_index, is_alone }: {
 }) {
     const summary = report.cases[case_index];
     const chunk = use_chunk(summary?.chunk);
-    if (summary === undefined) return <p role="alert">The report has no case {case_index}.</p>;
-    const result = summary.results[result_index];
+    const result = summary?.results[result_index];
+    if (summary === undefined || result === undefined)
+        return <p role="alert">The report has no result {result_index} of a case {case_index}.</p>;
     return (
         <section class="case" aria-labelledby="case">
             {!is_alone && <p><a href="#/">&larr; All results</a></p>}
@@ -55,7 +56,7 @@ export function CasePage({ report, case_index, result_index, is_alone }: {
                 {report.command === "curve" ? counted(summary.vertices, "point") : mesh_in_words(summary)}
             </p>
             <ResultChoice summary={summary} case_index={case_index} result_index={result_index} />
-            {result !== undefined && <Notes result={result} />}
+            <Notes result={result} />
             {summary.chunk === undefined ? <p>The file has no picture of this case.</p>
                 : chunk === null ? <p role="status">Reading &hellip;</p>
                 : chunk instanceof Error ? <p role="alert">{chunk.message}</p>

@@ -56,7 +56,10 @@ function columns_of(report: Report): Column[] {
 function compare_cells(a: Cell | undefined, b: Cell | undefined): number {
     const rank = (cell: Cell | undefined) => (cell ? kVerdicts[cell.result.verdict].rank : Infinity);
     if (rank(a) !== rank(b)) return rank(a) - rank(b);
-    return (b?.result.largest_in_uM ?? 0) - (a?.result.largest_in_uM ?? 0);
+    // Where they differ and no number says by how much, it is not finite.
+    const size = (cell: Cell | undefined) =>
+        cell?.result.largest_in_uM ?? (cell?.result.verdict === "differs" ? Number.MAX_VALUE : 0);
+    return size(b) - size(a);
 }
 
 function rows_of(report: Report): Row[] {

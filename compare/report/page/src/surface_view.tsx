@@ -135,8 +135,8 @@ export function SurfaceView({ level, frame, json, points, layers, layer, on_laye
                 {trouble !== null && <p role="alert">{trouble} The numbers beside and below need no picture.</p>}
                 {other !== null && drawing.mode === "side-by-side" && (
                     <>
-                        <span class="side-name" style={{ left: "6px" }}>{subject}</span>
-                        <span class="side-name" style={{ left: "calc(50% + 6px)" }}>{json?.reference}</span>
+                        <span class="side-name first">{subject}</span>
+                        <span class="side-name second">{json?.reference}</span>
                     </>
                 )}
             </div>
