@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -120,11 +121,12 @@ std::map<std::string, ReadChunk> read_report(const std::string& html) {
 }
 
 // Runs the program with --html, and returns what the file holds.
-std::string html_of(std::vector<std::string> arguments, int code = 0) {
+std::string html_of(std::vector<std::string> arguments, int code = 0,
+                    const std::vector<Subject>& subjects = built_in_subjects()) {
     const tests::TemporaryFolder folder;
     const std::string path = (folder.path() / "report.html").string();
     arguments.insert(arguments.end(), {"--html", path});
-    const auto outcome = loopcheck(arguments);
+    const auto outcome = loopcheck(arguments, subjects);
     EXPECT_EQ(outcome.code, code) << outcome.err;
     return core::read_file(path).value_or("");
 }
@@ -237,6 +239,58 @@ TEST_F(HtmlReport, SaysOfEachVertexWhatTheRefereeSays) {
         ++checked;
     });
     EXPECT_EQ(checked, 12u + 42 + 162 + 642);
+}
+
+TEST_F(HtmlReport, HasTheComparisonOfTheJsonReport) {
+    const tests::TemporaryFolder folder;
+    const std::string json = (folder.path() / "report.json").string();
+    const auto report = read_report(html_of({"compare", model_path("dart-valence-05"), "--levels", "3",
+                                             "--limit", "--top", "20", "--json", json}));
+    Json comparison = Json::parse(core::read_file(json).value())["comparisons"][0];
+    ASSERT_EQ(comparison["levels"][3]["worst"].size(), 20u);
+    for (const char* said_of_the_case : {"model", "boundary", "creasing", "weights", "control_mesh"})
+        EXPECT_EQ(comparison.erase(said_of_the_case), 1u) << said_of_the_case;
+    EXPECT_EQ(report.at("case-0").header["comparisons"], Json::array({comparison}));
+}
+
+TEST_F(HtmlReport, KeepsWhatIsNotFinite) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const std::vector<Subject> subjects{subject("ours"), test::cheat("broken", [&](core::Refinement& made) {
+                                            made.levels[1].positions[2].y = kNaN;
+                                            made.levels[1].positions[5].z = -kInfinity;
+                                        })};
+    const auto report = read_report(
+        html_of({"compare", model_path("tetrahedron"), "--levels", "2", "--with", "broken"}, 1, subjects));
+    const Json& result = report.at("report").header["cases"][0]["results"][0];
+    EXPECT_TRUE(result["largest"].is_null());
+    EXPECT_EQ(result["verdict"], "differs");
+    const ReadChunk& chunk = report.at("case-0");
+    const Json& level = chunk.header["levels"][1];
+    const auto positions = chunk.points(level["positions"][1]["positions"]);
+    EXPECT_TRUE(std::isnan(positions[2].y));
+    EXPECT_EQ(positions[5].z, -kInfinity);
+    const auto error = chunk.array<float>(level["comparisons"][0]["reference_error"], "f32");
+    for (std::size_t v = 0; v < error.size(); ++v) EXPECT_EQ(std::isinf(error[v]), v == 2 || v == 5) << v;
+}
+
+TEST_F(HtmlReport, HasNoNumbersOfASubjectThatRefuses) {
+    Subject refusing = test::cheat("refusing", {});
+    refusing.refine = [](const auto&, const auto&, int) -> core::Result<core::Refinement> {
+        return core::fail(core::ErrorCode::Unsupported, "Not this one.");
+    };
+    const Subject other = test::cheat("other", [](core::Refinement&) {});
+    const std::vector<Subject> subjects{subject("ours"), refusing, other};
+    const std::string model = model_path("tetrahedron");
+    const auto suite = read_report(html_of({"suite", model, "--levels", "1"}, 0, subjects));
+    const Json& level = suite.at("case-0").header["levels"][1];
+    EXPECT_TRUE(level["comparisons"][0].is_null());
+    EXPECT_TRUE(level["comparisons"][1].is_object());
+    EXPECT_EQ(level["positions"].size(), 2u);
+    const auto alone =
+        read_report(html_of({"compare", model, "--levels", "1", "--with", "refusing"}, 3, subjects));
+    EXPECT_EQ(alone.size(), 1u);
+    EXPECT_FALSE(alone.at("report").header["cases"][0].contains("chunk"));
 }
 
 // A fraction or a decimal.
