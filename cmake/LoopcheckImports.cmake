@@ -51,6 +51,9 @@ loopcheck_need("${Boost_FOUND}" "Boost's headers" libboost-dev)
 find_package(ZLIB QUIET)
 loopcheck_need("${ZLIB_FOUND}" zlib zlib1g-dev)
 
+find_package(TBB QUIET)
+loopcheck_need("${TBB_FOUND}" oneTBB libtbb-dev)
+
 find_package(Threads QUIET)
 loopcheck_need("${Threads_FOUND}" "a threads library" libc6-dev)
 

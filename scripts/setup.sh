@@ -11,7 +11,7 @@ report=$root/report
 jobs=$(nproc)
 
 build_packages=(g++ cmake ninja-build libosd-dev libopenmesh-dev libglm-dev libfmt-dev libexpected-dev libboost-dev
-                nlohmann-json3-dev libcli11-dev zlib1g-dev libgtest-dev libbenchmark-dev)
+                nlohmann-json3-dev libcli11-dev zlib1g-dev libtbb-dev libgtest-dev libbenchmark-dev)
 # npm bundles the page of --html.  A node that is no package of Debian's brings its own.
 type -P npm >/dev/null || build_packages+=(nodejs npm)
 test_packages=(clang-format python3 python3-jsonschema chromium)

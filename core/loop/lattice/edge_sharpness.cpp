@@ -20,7 +20,19 @@ struct SemiSharp {
 
 }  // namespace
 
-LatticeSharpness::LatticeSharpness(const Sharpness& control) : edge_(control.edge), vertex_(control.vertex) {}
+LatticeSharpness::LatticeSharpness(const Sharpness& control) : edge_(control.edge), vertex_(control.vertex) {
+    look_through();
+}
+
+void LatticeSharpness::look_through() {
+    has_semi_sharp_ = !uneven_.empty();
+    has_sharp_ = has_semi_sharp_;
+    for (const auto* values : {&edge_, &vertex_})
+        for (const float s : *values) {
+            has_sharp_ |= is_sharp(s);
+            has_semi_sharp_ |= is_semi_sharp(s);
+        }
+}
 
 LatticeSharpness LatticeSharpness::next(const Topology& topology, Creasing creasing) const {
     LatticeSharpness out;
@@ -38,6 +50,7 @@ LatticeSharpness LatticeSharpness::next(const Topology& topology, Creasing creas
         out.edge_.push_back(alike ? halves[0] : kUneven);
         if (!alike) out.uneven_.emplace(e, std::move(halves));
     }
+    out.look_through();
     return out;
 }
 
@@ -60,6 +73,12 @@ std::vector<float> LatticeSharpness::halves_of(const Topology& topology, Index e
         if (point < segments) halves.push_back(around.decay(of_segment(e, point)));
     }
     return halves;
+}
+
+SharpnessLevels::SharpnessLevels(const TriangleMesh& mesh, const SchemeOptions& options, int levels) {
+    levels_.emplace_back(control_sharpness(mesh, options.boundary));
+    for (int l = 0; l < levels && levels_.back().has_semi_sharp(); ++l)
+        levels_.push_back(levels_.back().next(mesh.topology(), options.creasing));
 }
 
 }  // namespace loopcheck::core

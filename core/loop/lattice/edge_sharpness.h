@@ -2,6 +2,7 @@
 // makes inside faces is smooth.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -31,17 +32,35 @@ class LatticeSharpness {
     }
     /// True where all segments of e are alike.
     bool is_even(Index e) const { return edge_[e] != kUneven; }
+    /// Whether anything is sharp, and whether anything will change in the next level.
+    bool has_sharp() const { return has_sharp_; }
+    bool has_semi_sharp() const { return has_semi_sharp_; }
 
   private:
     static constexpr float kUneven = -1;
 
     LatticeSharpness() = default;
     std::vector<float> halves_of(const Topology& topology, Index e) const;
+    void look_through();
 
     int level_ = 0;
+    bool has_sharp_ = false, has_semi_sharp_ = false;
     std::vector<float> edge_;                     // of all segments, or kUneven
     std::map<Index, std::vector<float>> uneven_;  // one a segment
     std::vector<float> vertex_;
+};
+
+/// That of every level.
+class SharpnessLevels {
+  public:
+    SharpnessLevels(const TriangleMesh& mesh, const SchemeOptions& options, int levels);
+
+    const LatticeSharpness& operator[](int level) const {
+        return levels_[std::min(static_cast<std::size_t>(level), levels_.size() - 1)];
+    }
+
+  private:
+    std::vector<LatticeSharpness> levels_;  // the last stands for all that follow
 };
 
 }  // namespace loopcheck::core

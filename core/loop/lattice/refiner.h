@@ -2,83 +2,79 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
-#include <vector>
+#include <tuple>
 
 #include "core/loop/lattice/address.h"
 #include "core/loop/lattice/edge_sharpness.h"
+#include "core/loop/lattice/pattern.h"
+#include "core/loop/lattice/smooth_weights.h"
 #include "core/mesh/point.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace loopcheck::core {
 
-/// Refines a mesh L times, with the same bits as `refine`.
+/// Refines a mesh L times, with the same bits as `refine`, on any number of threads.
 ///
 /// Every vertex of level L lies on a vertex, on an edge or inside a face of the control mesh
 /// (`LatticeAddress`), and inside a face all are regular.  So three passes are enough, none of which needs
 /// another's neighbours:
 ///
 ///   1. fans: a control vertex and its ring pass through all levels by themselves;
-///   2. strips: an edge and the nearest row on either side, given the fans of its ends;
+///   2. strips: an edge and the nearest row on either side, given the fans of the corners of its faces;
 ///   3. patches: the inside of a face, given its edges.
 ///
-/// Topology is prepared once; positions are pushed through again and again.  Memory beside the result: of
-/// order V + E + 2^L E points, and 4^L for the one face in work.
+/// Topology is prepared once; positions are pushed through again and again.
 class LatticeRefiner {
   public:
-    /// Keeps what it needs of the mesh.
+    /// Refers to the mesh, which must live as long.
     /// Errors   TooLarge: level L has more than 2^31 - 1 vertices, or corners of faces.
     static Result<LatticeRefiner> make(const TriangleMesh& mesh, const SchemeOptions& options, int level);
+    static Result<LatticeRefiner> make(TriangleMesh&&, const SchemeOptions&, int) = delete;
 
     const LatticeOrder& order() const { return order_; }
-    const Topology& topology() const { return topology_; }
+    const Topology& topology() const { return mesh_->topology(); }
 
     /// The positions of level L by `order()`.
+    ///
     /// Requires `control` with a point a control vertex, and `refined` with room for
-    /// `order().vertex_count()`. Error    that of core/loop/error_bound.h.
+    /// `order().vertex_count()`.
+    /// Memory  beside the result: 2^L E points, and 4^(L - 1) a thread.
+    /// Error   that of core/loop/error_bound.h.
     template <class Real>
-    void refine(std::span<const Point<Real>> control, std::span<Point<Real>> refined) const;
+    void refine(std::span<const Point<Real>> control, std::span<Point<Real>> refined, int threads = 1) const;
 
-    /// The same, face after face: `visit(f, points)` gets the closed lattice of control face f, row by row
-    /// from edge 0: (i, j) is number j (N + 1) - j (j - 1)/2 + i.  `points` is valid during the call.
-    template <class Real, class Visit>
-    void refine_by_face(std::span<const Point<Real>> control, Visit&& visit) const {
-        const Skeleton<Real> skeleton = refine_skeleton<Real>(control);
-        Patch<Real> patch;
-        for (Index f = 0; f < topology_.face_count(); ++f) {
-            refine_face(skeleton, f, patch);
-            visit(f, std::span<const Point<Real>>(patch.points));
-        }
+    /// Gets the closed lattice of control face f, row by row from edge 0: (i, j) is number
+    /// j (N + 1) - j (j - 1)/2 + i.  `points` is valid during the call.
+    template <class Real>
+    using FaceVisitor = std::function<void(Index f, std::span<const Point<Real>> points)>;
+    struct FaceRange {
+        Index first = 0, last = 0;  ///< without `last`
+    };
+
+    /// The same, face after face, in memory of order 4^L whatever the number of faces, beside four bytes an
+    /// edge of the control mesh.  Several threads may visit ranges of their own.
+    template <class Real>
+    void refine_by_face(std::span<const Point<Real>> control, FaceRange faces,
+                        const FaceVisitor<Real>& visit) const;
+    template <class Real>
+    void refine_by_face(std::span<const Point<Real>> control, const FaceVisitor<Real>& visit) const {
+        refine_by_face<Real>(control, {0, topology().face_count()}, visit);
     }
 
     /// The faces of level L over `order()`, in its order.  Requires room for `order().face_count()`.
-    void triangles(std::span<Triangle> faces) const;
+    void triangles(std::span<Triangle> faces, int threads = 1) const;
 
   private:
-    // The control vertices at level L, and the points on every edge at every level, ends included: those of
-    // edge e at level l begin at e (2^l + 1).
-    template <class Real>
-    struct Skeleton {
-        Points<Real> vertices;
-        std::vector<Points<Real>> edges;
-    };
-    // The closed lattice of a face, and that of the level before.
-    template <class Real>
-    struct Patch {
-        Points<Real> points, before;
-    };
-
     LatticeRefiner(const TriangleMesh& mesh, const SchemeOptions& options, int level);
 
-    template <class Real>
-    Skeleton<Real> refine_skeleton(std::span<const Point<Real>> control) const;
-    template <class Real>
-    void refine_face(const Skeleton<Real>& skeleton, Index f, Patch<Real>& patch) const;
-
-    Topology topology_;
+    const TriangleMesh* mesh_;
     SchemeOptions options_;
     LatticeOrder order_;
-    std::vector<LatticeSharpness> sharpness_;  // of levels 0 to L
+    SharpnessLevels sharpness_;
+    std::tuple<SmoothWeights<float>, SmoothWeights<double>> smooth_;
+    LatticePattern pattern_;
 };
 
 }  // namespace loopcheck::core

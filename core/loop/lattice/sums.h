@@ -11,12 +11,13 @@
 
 namespace loopcheck::core {
 
-/// 3/8 (a + b) + 1/8 (c + d), summed from the left.  a and b may be exchanged, c and d not.
-template <class Real>
-Point<Real> smooth_edge_point(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c,
-                              const Point<Real>& d) {
+/// 3/8 (a + b) + 1/8 (c + d), summed from the left.  a and b may be exchanged, c and d not.  `Value` is a
+/// point in one form or another.
+template <class Real, class Value>
+[[gnu::always_inline]] inline Value smooth_edge_point(const Value& a, const Value& b, const Value& c,
+                                                      const Value& d) {
     constexpr Real end = Real(3) / 8, opposite = Real(1) / 8;
-    Point<Real> sum(0);
+    Value sum{};
     sum += end * a;
     sum += end * b;
     sum += opposite * c;
@@ -25,11 +26,30 @@ Point<Real> smooth_edge_point(const Point<Real>& a, const Point<Real>& b, const 
 }
 
 /// 1/16 of six neighbours, in the order given, then 5/8 of the vertex.
-template <class Real, class Neighbour>
-Point<Real> regular_vertex_point(const Point<Real>& vertex, Neighbour&& neighbour) {
+template <class Real, class Value, class Neighbour>
+[[gnu::always_inline]] inline Value regular_vertex_point(const Value& vertex, const Neighbour& neighbour) {
     constexpr Real ring = Real(1) / 16, centre = Real(5) / 8;
-    Point<Real> sum(0);
+    Value sum{};
     for (int i = 0; i < 6; ++i) sum += ring * neighbour(i);
+    sum += centre * vertex;
+    return sum;
+}
+
+/// The midpoint of a segment of a crease, and 1/8 (a + b) + 3/4 of a vertex between a and b.
+template <class Real, class Value>
+inline Value crease_edge_point(const Value& a, const Value& b) {
+    constexpr Real half = Real(1) / 2;
+    Value sum{};
+    sum += half * a;
+    sum += half * b;
+    return sum;
+}
+template <class Real, class Value>
+inline Value crease_vertex_point(const Value& a, const Value& b, const Value& vertex) {
+    constexpr Real side = Real(1) / 8, centre = Real(3) / 4;
+    Value sum{};
+    sum += side * a;
+    sum += side * b;
     sum += centre * vertex;
     return sum;
 }

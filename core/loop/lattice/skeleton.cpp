@@ -1,0 +1,307 @@
+#include "core/loop/lattice/skeleton.h"
+
+#include <algorithm>
+
+#include "core/loop/lattice/sums.h"
+#include "core/loop/mask_choice.h"
+
+namespace loopcheck::core {
+namespace {
+
+// The weighted sum of a mask over `point_at(place)`.
+template <class Real, class PointAt>
+Quad<Real> apply_mask(const Mask& mask, Weights weights, PointAt&& point_at) {
+    const auto w = weights_of<Real>(mask, weights);
+    const auto places = places_of(mask);
+    Quad<Real> sum{};
+    for (std::size_t i = 0; i < w.size(); ++i) sum += w[i] * point_at(places[i]);
+    return sum;
+}
+
+// The edge point of segment q of edge e at a level, with ends a and b and `beyond[side]` opposite it.
+template <class Real>
+Quad<Real> point_of_segment(const LatticeSource<Real>& source, int level, Index e, Index q,
+                            const Quad<Real>& a, const Quad<Real>& b,
+                            const std::array<const Quad<Real>*, 2>& beyond) {
+    const LatticeSharpness& sharpness = source.sharpness[level];
+    const float s = sharpness.of_segment(e, q);
+    if (!is_sharp(s)) return smooth_edge_point<Real>(a, b, *beyond[0], *beyond[1]);
+    if (is_infinite(s)) return crease_edge_point<Real>(a, b);
+    const LatticeSharpness& child = source.sharpness[level + 1];
+    const Mask mask = edge_point_mask(s, {child.of_segment(e, 2 * q), child.of_segment(e, 2 * q + 1)},
+                                      source.options.crease_share);
+    return apply_mask<Real>(mask, source.options.weights,
+                            [&](int place) { return place < 2 ? (place == 0 ? a : b) : *beyond[place - 2]; });
+}
+
+}  // namespace
+
+template <class Real>
+void EdgePoints<Real>::make_room(std::size_t edges) {
+    if (edges <= room_) return;
+    // A quad at the last point reads one real more.
+    reals_ =
+        std::make_unique_for_overwrite<Real[]>(kPacked * edges * static_cast<std::size_t>(per_edge_) + 1);
+    room_ = edges;
+}
+
+template <class Real>
+void EdgePoints<Real>::hold_all(Index edge_count) {
+    make_room(static_cast<std::size_t>(edge_count));
+    slots_.clear();
+}
+
+template <class Real>
+void EdgePoints<Real>::hold(std::span<const Index> edges, Index edge_count) {
+    make_room(edges.size());
+    slots_.resize(static_cast<std::size_t>(edge_count));
+    for (std::size_t slot = 0; slot < edges.size(); ++slot) slots_[edges[slot]] = static_cast<Index>(slot);
+}
+
+// -- Fans.
+
+template <class Real>
+void Fan<Real>::run(Index v, int level, EdgePoints<Real>& points) {
+    start(v);
+    for (int l = 0; l < level; ++l) {
+        const bool stored = l < points.levels();
+        step(l, stored);
+        if (stored) store(l + 1, points);
+    }
+}
+
+template <class Real>
+void Fan<Real>::start(Index v) {
+    const Topology& t = source_.topology;
+    vertex_ = v;
+    edges_ = t.ring(v);
+    ends_.clear();
+    ring_.resize(edges_.size() + 2);
+    next_ring_.resize(edges_.size() + 2);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        const auto& ends = t.edge_ends[edges_[i]];
+        const int end = ends[0] == v ? 0 : 1;
+        ends_.push_back(end);
+        ring_[i + 1] = quad_of<Real>(source_.control[ends[1 - end]]);
+    }
+    close_ring();
+    centre_ = quad_of<Real>(source_.control[v]);
+}
+
+template <class Real>
+void Fan<Real>::close_ring() {
+    ring_.front() = ring_[edges_.size()];
+    ring_.back() = ring_[1];
+}
+
+template <class Real>
+void Fan<Real>::step(int level, bool with_ring) {
+    if (with_ring)
+        for (std::size_t i = 0; i < edges_.size(); ++i) next_ring_[i + 1] = edge_point(level, i);
+    centre_ = vertex_point(level);
+    if (with_ring) {
+        std::swap(ring_, next_ring_);
+        close_ring();
+    }
+}
+
+template <class Real>
+void Fan<Real>::store(int level, EdgePoints<Real>& points) const {
+    const Index last = Index{1} << level;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        store_packed<Real>(centre_, points.at(edges_[i], level, ends_[i] == 0 ? 0 : last));
+        // At level 1 the nearest points of both ends are one: the fan at end 0 writes it where that is run.
+        if (level > 1 || ends_[i] == 0 || !points.holds_all())
+            store_packed<Real>(ring_[i + 1], points.near(edges_[i], level, ends_[i]));
+    }
+}
+
+template <class Real>
+Quad<Real> Fan<Real>::vertex_point(int level) {
+    const LatticeSharpness& sharpness = source_.sharpness[level];
+    bool is_smooth = true;
+    if (sharpness.has_sharp()) {
+        sharp_.clear();
+        is_smooth = !is_sharp(sharpness.of_vertex(vertex_));
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            sharp_.push_back(sharpness.at_end(edges_[i], ends_[i]));
+            is_smooth &= !is_sharp(sharp_.back());
+        }
+    }
+    if (is_smooth) {
+        const auto& [side, centre] = source_.smooth[edges_.size()];
+        Quad<Real> sum{};
+        for (const Quad<Real>& p : ring()) sum += side * p;
+        sum += centre * centre_;
+        return sum;
+    }
+    child_sharp_.clear();
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+        child_sharp_.push_back(source_.sharpness[level + 1].at_end(edges_[i], ends_[i]));
+    const Mask mask = vertex_point_mask(sharpness.of_vertex(vertex_), sharp_, child_sharp_);
+    return apply_mask<Real>(mask, source_.options.weights, [&](int place) {
+        return place == mask.ring ? centre_ : ring()[static_cast<std::size_t>(place)];
+    });
+}
+
+// The first face of an edge is to its left as seen from its end 0.
+template <class Real>
+Quad<Real> Fan<Real>::edge_point(int level, std::size_t i) const {
+    const Quad<Real>&left = ring_[i + 2], &right = ring_[i];
+    const bool outward = ends_[i] == 0;
+    return point_of_segment<Real>(source_, level, edges_[i], outward ? 0 : (Index{1} << level) - 1, centre_,
+                                  ring_[i + 1], {outward ? &left : &right, outward ? &right : &left});
+}
+
+// -- Strips.
+
+template <class Real>
+void Strip<Real>::run(Index e, int level, EdgePoints<Real>& points) {
+    start(e);
+    int l = std::min(points.levels(), 1);
+    if (l == 0)
+        take_control();
+    else
+        take(1, points);
+    for (; l < level; ++l) step(l, points);
+}
+
+template <class Real>
+void Strip<Real>::start(Index e) {
+    const Topology& t = source_.topology;
+    edge_number_ = e;
+    sides_ = t.is_boundary_edge(e) ? 1 : 2;
+    for (int side = 0; side < sides_; ++side) {
+        const Index f = t.edge_faces[e][side];
+        const int c = t.corner_of_edge(f, e);
+        // The edge after this one in the face begins where this one ends, the one before ends where it
+        // begins.
+        const auto arm = [&](int corner, int end) {
+            const Index edge = t.face_edges[f][corner % 3];
+            return Arm{edge, t.edge_faces[edge][0] == f ? end : 1 - end};
+        };
+        arms_[side] = {arm(c + 2, 1), arm(c + 1, 0)};
+        if (side == 1) std::swap(arms_[side][0], arms_[side][1]);
+    }
+}
+
+template <class Real>
+void Strip<Real>::take_control() {
+    const Topology& t = source_.topology;
+    edge_.clear();
+    for (const Index v : t.edge_ends[edge_number_]) edge_.push_back(quad_of<Real>(source_.control[v]));
+    for (int side = 0; side < sides_; ++side) {
+        const Arm& arm = arms_[side][0];
+        rows_[side].assign(1, quad_of<Real>(source_.control[t.edge_ends[arm.edge][1 - arm.end]]));
+    }
+}
+
+// The points of level 1, all of which come from fans.
+template <class Real>
+void Strip<Real>::take(int level, EdgePoints<Real>& points) {
+    edge_.clear();
+    for (Index i = 0; i < 3; ++i) edge_.push_back(load_quad<Real>(points.at(edge_number_, level, i)));
+    for (int side = 0; side < sides_; ++side) {
+        rows_[side].clear();
+        for (const Arm& arm : arms_[side])
+            rows_[side].push_back(load_quad<Real>(points.near(arm.edge, level, arm.end)));
+    }
+}
+
+template <class Real>
+void Strip<Real>::step(int level, EdgePoints<Real>& points) {
+    const Index n = Index{1} << level;
+    next_.resize(2 * static_cast<std::size_t>(n) + 1);
+    vertex_points(level, n);
+    edge_points(level, n);
+    if (level < points.levels()) {
+        for (int side = 0; side < sides_; ++side) advance_row(side, level, points);
+        for (const Index end : {Index{0}, 2 * n})
+            next_[end] = load_quad<Real>(points.at(edge_number_, level + 1, end));
+        for (Index i = 2; i < 2 * n - 1; ++i)
+            store_packed<Real>(next_[i], points.at(edge_number_, level + 1, i));
+    }
+    std::swap(edge_, next_);
+}
+
+// Neighbour `place` of point i of the edge, from the next one on, counter-clockwise.
+template <class Real>
+const Quad<Real>& Strip<Real>::neighbour(Index i, int place) const {
+    switch (place) {
+        case 0:
+            return edge_[i + 1];
+        case 1:
+            return rows_[0][i];
+        case 2:
+            return rows_[0][i - 1];
+        case 3:
+            return edge_[i - 1];
+        case 4:
+            return rows_[1][i - 1];
+        default:
+            return rows_[1][i];
+    }
+}
+
+template <class Real>
+void Strip<Real>::vertex_points(int level, Index segments) {
+    const LatticeSharpness &now = source_.sharpness[level], &child = source_.sharpness[level + 1];
+    const Index e = edge_number_;
+    const int ring = sides_ == 2 ? 6 : 4;
+    std::array<float, 6> sharp{}, child_sharp{};
+    for (Index i = 1; i < segments; ++i) {
+        sharp[0] = now.of_segment(e, i);
+        sharp[3] = now.of_segment(e, i - 1);
+        const auto at = [&](int place) { return place == ring ? edge_[i] : neighbour(i, place); };
+        if (!is_sharp(sharp[0]) && !is_sharp(sharp[3])) {
+            next_[2 * i] = regular_vertex_point<Real>(edge_[i], at);
+        } else if (is_infinite(sharp[0]) && is_infinite(sharp[3])) {
+            next_[2 * i] = crease_vertex_point<Real>(edge_[i + 1], edge_[i - 1], edge_[i]);
+        } else {
+            child_sharp[0] = child.of_segment(e, 2 * i);
+            child_sharp[3] = child.of_segment(e, 2 * i - 1);
+            const auto size = static_cast<std::size_t>(ring);
+            const Mask mask =
+                vertex_point_mask(0, std::span(sharp).first(size), std::span(child_sharp).first(size));
+            next_[2 * i] = apply_mask<Real>(mask, source_.options.weights, at);
+        }
+    }
+}
+
+template <class Real>
+void Strip<Real>::edge_points(int level, Index segments) {
+    for (Index q = 0; q < segments; ++q) {
+        // A boundary edge is sharp for ever and reads nothing beside it.
+        const Quad<Real>* second = sides_ == 2 ? &rows_[1][q] : nullptr;
+        next_[2 * q + 1] = point_of_segment<Real>(source_, level, edge_number_, q, edge_[q], edge_[q + 1],
+                                                  {&rows_[0][q], second});
+    }
+}
+
+// Segments from the edge to the row are the first of a line, so the upright face, which stands on the edge,
+// comes first.
+template <class Real>
+void Strip<Real>::advance_row(int side, int level, EdgePoints<Real>& points) {
+    Quads& row = rows_[side];
+    const std::size_t n = row.size();
+    spare_.resize(2 * n);
+    const auto near = [&](const Arm& arm) {
+        return load_quad<Real>(points.near(arm.edge, level + 1, arm.end));
+    };
+    spare_.front() = near(arms_[side][0]);
+    spare_.back() = near(arms_[side][1]);
+    for (std::size_t m = 1; m < n; ++m) {
+        spare_[2 * m - 1] = smooth_edge_point<Real>(edge_[m], row[m - 1], edge_[m - 1], row[m]);
+        spare_[2 * m] = smooth_edge_point<Real>(edge_[m], row[m], edge_[m + 1], row[m - 1]);
+    }
+    std::swap(row, spare_);
+}
+
+template class EdgePoints<float>;
+template class EdgePoints<double>;
+template class Fan<float>;
+template class Fan<double>;
+template class Strip<float>;
+template class Strip<double>;
+
+}  // namespace loopcheck::core
