@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/loop/lattice/kernels.h"
 #include "core/loop/lattice/parallel.h"
-#include "core/loop/lattice/patch.h"
 #include "core/loop/lattice/skeleton.h"
 #include "core/loop/lattice/stream.h"
 
@@ -66,11 +66,6 @@ class Outbox {
     T* to_ = nullptr;
 };
 
-template <class Real>
-Point<Real> point_of(const Quad<Real>& q) {
-    return {q[0], q[1], q[2]};
-}
-
 void keep_once(std::vector<Index>& values) {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -91,9 +86,9 @@ class Patch {
 
     void run(std::span<const Point<Real>> control, Index f, const EdgePoints<Real>& points) {
         const Triangle& corners = topology_.triangles[f];
-        lattices_[0].row(0)[0] = quad_of<Real>(control[corners[0]]);
-        lattices_[0].row(0)[1] = quad_of<Real>(control[corners[1]]);
-        lattices_[0].row(1)[0] = quad_of<Real>(control[corners[2]]);
+        lattices_[0].row(0)[0] = load_point<Real>(control, corners[0]);
+        lattices_[0].row(0)[1] = load_point<Real>(control, corners[1]);
+        lattices_[0].row(1)[0] = load_point<Real>(control, corners[2]);
         for (std::size_t l = 1; l < lattices_.size(); ++l) {
             take_edges(f, static_cast<int>(l), points);
             if (l > 1) refine_inside<Real>(lattices_[l - 1], pattern_, lattices_[l]);
@@ -112,7 +107,7 @@ class Patch {
             const Index e = topology_.face_edges[f][c];
             const bool along = topology_.edge_faces[e][0] == f;
             const Real* from = points.at(e, level, along ? 0 : n);
-            Quad<Real>* to = lattice.row(0) + first[c];
+            PaddedPoint<Real>* to = lattice.row(0) + first[c];
             for (Index k = 0; k < n; ++k, from += along ? kPacked : -kPacked, to += step[c])
                 *to = load_quad<Real>(from);
         }
@@ -239,7 +234,7 @@ void LatticeRefiner::refine(std::span<const Point<Real>> control, std::span<Poin
         Fan<Real> fan(from);
         for (Index v = first; v < last; ++v) {
             fan.run(v, level, points);
-            refined[static_cast<std::size_t>(v)] = point_of<Real>(fan.centre());
+            refined[static_cast<std::size_t>(v)] = fan.centre();
         }
     });
     for_ranges(t.edge_count(), grain(n), threads, [&](Index first, Index last) {
@@ -247,8 +242,8 @@ void LatticeRefiner::refine(std::span<const Point<Real>> control, std::span<Poin
         for (Index e = first; e < last; ++e) {
             strip.run(e, level, points);
             auto out = refined.begin() + order_.first_of_edge(e);
-            for (const Quad<Real>& q : strip.edge().subspan(1, static_cast<std::size_t>(n) - 1))
-                *out++ = point_of<Real>(q);
+            for (const PaddedPoint<Real>& q : strip.edge().subspan(1, static_cast<std::size_t>(n) - 1))
+                *out++ = q;
         }
     });
     if (order_.inside_of_face() == 0) return;
@@ -302,7 +297,7 @@ void LatticeRefiner::refine_by_face(std::span<const Point<Real>> control, FaceRa
             patch.run(control, f, points);
             auto out = packed.begin();
             for (Index j = 0; j <= n; ++j)
-                for (Index i = 0; i + j <= n; ++i) *out++ = point_of<Real>(patch.last().row(j)[i]);
+                for (Index i = 0; i + j <= n; ++i) *out++ = patch.last().row(j)[i];
             visit(f, packed);
         }
     }

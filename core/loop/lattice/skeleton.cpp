@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/loop/lattice/kernels.h"
 #include "core/loop/lattice/sums.h"
 #include "core/loop/mask_choice.h"
 
@@ -14,15 +15,15 @@ Quad<Real> apply_mask(const Mask& mask, Weights weights, PointAt&& point_at) {
     const auto w = weights_of<Real>(mask, weights);
     const auto places = places_of(mask);
     Quad<Real> sum{};
-    for (std::size_t i = 0; i < w.size(); ++i) sum += w[i] * point_at(places[i]);
+    for (std::size_t i = 0; i < w.size(); ++i) sum += w[i] * Quad<Real>(point_at(places[i]));
     return sum;
 }
 
 // The edge point of segment q of edge e at a level, with ends a and b and `beyond[side]` opposite it.
 template <class Real>
 Quad<Real> point_of_segment(const LatticeSource<Real>& source, int level, Index e, Index q,
-                            const Quad<Real>& a, const Quad<Real>& b,
-                            const std::array<const Quad<Real>*, 2>& beyond) {
+                            const PaddedPoint<Real>& a, const PaddedPoint<Real>& b,
+                            const std::array<const PaddedPoint<Real>*, 2>& beyond) {
     const LatticeSharpness& sharpness = source.sharpness[level];
     const float s = sharpness.of_segment(e, q);
     if (!is_sharp(s)) return smooth_edge_point<Real>(a, b, *beyond[0], *beyond[1]);
@@ -82,21 +83,23 @@ void Fan<Real>::start(Index v) {
         const auto& ends = t.edge_ends[edges_[i]];
         const int end = ends[0] == v ? 0 : 1;
         ends_.push_back(end);
-        ring_[i + 1] = quad_of<Real>(source_.control[ends[1 - end]]);
+        ring_[i + 1] = load_point<Real>(source_.control, ends[1 - end]);
     }
     close_ring();
-    centre_ = quad_of<Real>(source_.control[v]);
+    centre_ = load_point<Real>(source_.control, v);
 }
 
 template <class Real>
 void Fan<Real>::close_ring() {
-    ring_.front() = ring_[edges_.size()];
-    ring_.back() = ring_[1];
+    ring_[0] = ring_[edges_.size()];
+    ring_[edges_.size() + 1] = ring_[1];
 }
 
 template <class Real>
 void Fan<Real>::step(int level, bool with_ring) {
-    if (with_ring)
+    if (with_ring && !source_.sharpness[level].has_sharp())
+        refine_smooth_ring<Real>(centre_, ring_.data(), ends_, next_ring_.data());
+    else if (with_ring)
         for (std::size_t i = 0; i < edges_.size(); ++i) next_ring_[i + 1] = edge_point(level, i);
     centre_ = vertex_point(level);
     if (with_ring) {
@@ -117,7 +120,7 @@ void Fan<Real>::store(int level, EdgePoints<Real>& points) const {
 }
 
 template <class Real>
-Quad<Real> Fan<Real>::vertex_point(int level) {
+PaddedPoint<Real> Fan<Real>::vertex_point(int level) {
     const LatticeSharpness& sharpness = source_.sharpness[level];
     bool is_smooth = true;
     if (sharpness.has_sharp()) {
@@ -128,13 +131,7 @@ Quad<Real> Fan<Real>::vertex_point(int level) {
             is_smooth &= !is_sharp(sharp_.back());
         }
     }
-    if (is_smooth) {
-        const auto& [side, centre] = source_.smooth[edges_.size()];
-        Quad<Real> sum{};
-        for (const Quad<Real>& p : ring()) sum += side * p;
-        sum += centre * centre_;
-        return sum;
-    }
+    if (is_smooth) return smooth_vertex_point<Real>(centre_, ring(), source_.smooth[edges_.size()]);
     child_sharp_.clear();
     for (std::size_t i = 0; i < edges_.size(); ++i)
         child_sharp_.push_back(source_.sharpness[level + 1].at_end(edges_[i], ends_[i]));
@@ -147,7 +144,7 @@ Quad<Real> Fan<Real>::vertex_point(int level) {
 // The first face of an edge is to its left as seen from its end 0.
 template <class Real>
 Quad<Real> Fan<Real>::edge_point(int level, std::size_t i) const {
-    const Quad<Real>&left = ring_[i + 2], &right = ring_[i];
+    const PaddedPoint<Real>&left = ring_[i + 2], &right = ring_[i];
     const bool outward = ends_[i] == 0;
     return point_of_segment<Real>(source_, level, edges_[i], outward ? 0 : (Index{1} << level) - 1, centre_,
                                   ring_[i + 1], {outward ? &left : &right, outward ? &right : &left});
@@ -188,23 +185,27 @@ void Strip<Real>::start(Index e) {
 template <class Real>
 void Strip<Real>::take_control() {
     const Topology& t = source_.topology;
-    edge_.clear();
-    for (const Index v : t.edge_ends[edge_number_]) edge_.push_back(quad_of<Real>(source_.control[v]));
+    edge_.resize(2);
+    for (std::size_t end = 0; end < 2; ++end)
+        edge_[end] = load_point<Real>(source_.control, t.edge_ends[edge_number_][end]);
     for (int side = 0; side < sides_; ++side) {
         const Arm& arm = arms_[side][0];
-        rows_[side].assign(1, quad_of<Real>(source_.control[t.edge_ends[arm.edge][1 - arm.end]]));
+        rows_[side].resize(1);
+        rows_[side][0] = load_point<Real>(source_.control, t.edge_ends[arm.edge][1 - arm.end]);
     }
 }
 
 // The points of level 1, all of which come from fans.
 template <class Real>
 void Strip<Real>::take(int level, EdgePoints<Real>& points) {
-    edge_.clear();
-    for (Index i = 0; i < 3; ++i) edge_.push_back(load_quad<Real>(points.at(edge_number_, level, i)));
+    edge_.resize(3);
+    for (Index i = 0; i < 3; ++i) edge_[i] = load_quad<Real>(points.at(edge_number_, level, i));
     for (int side = 0; side < sides_; ++side) {
-        rows_[side].clear();
-        for (const Arm& arm : arms_[side])
-            rows_[side].push_back(load_quad<Real>(points.near(arm.edge, level, arm.end)));
+        rows_[side].resize(2);
+        for (std::size_t end = 0; end < 2; ++end) {
+            const Arm& arm = arms_[side][end];
+            rows_[side][end] = load_quad<Real>(points.near(arm.edge, level, arm.end));
+        }
     }
 }
 
@@ -212,8 +213,13 @@ template <class Real>
 void Strip<Real>::step(int level, EdgePoints<Real>& points) {
     const Index n = Index{1} << level;
     next_.resize(2 * static_cast<std::size_t>(n) + 1);
-    vertex_points(level, n);
-    edge_points(level, n);
+    const LatticeSharpness& sharpness = source_.sharpness[level];
+    if (sharpness.is_even(edge_number_) && !is_sharp(sharpness.of_segment(edge_number_, 0))) {
+        refine_smooth_edge<Real>(edge_.data(), rows_[0].data(), rows_[1].data(), n, next_.data());
+    } else {
+        vertex_points(level, n);
+        edge_points(level, n);
+    }
     if (level < points.levels()) {
         for (int side = 0; side < sides_; ++side) advance_row(side, level, points);
         for (const Index end : {Index{0}, 2 * n})
@@ -226,7 +232,7 @@ void Strip<Real>::step(int level, EdgePoints<Real>& points) {
 
 // Neighbour `place` of point i of the edge, from the next one on, counter-clockwise.
 template <class Real>
-const Quad<Real>& Strip<Real>::neighbour(Index i, int place) const {
+const PaddedPoint<Real>& Strip<Real>::neighbour(Index i, int place) const {
     switch (place) {
         case 0:
             return edge_[i + 1];
@@ -272,28 +278,23 @@ template <class Real>
 void Strip<Real>::edge_points(int level, Index segments) {
     for (Index q = 0; q < segments; ++q) {
         // A boundary edge is sharp for ever and reads nothing beside it.
-        const Quad<Real>* second = sides_ == 2 ? &rows_[1][q] : nullptr;
+        const PaddedPoint<Real>* second = sides_ == 2 ? &rows_[1][q] : nullptr;
         next_[2 * q + 1] = point_of_segment<Real>(source_, level, edge_number_, q, edge_[q], edge_[q + 1],
                                                   {&rows_[0][q], second});
     }
 }
 
-// Segments from the edge to the row are the first of a line, so the upright face, which stands on the edge,
-// comes first.
 template <class Real>
 void Strip<Real>::advance_row(int side, int level, EdgePoints<Real>& points) {
-    Quads& row = rows_[side];
+    PaddedPoints<Real>& row = rows_[side];
     const std::size_t n = row.size();
     spare_.resize(2 * n);
     const auto near = [&](const Arm& arm) {
         return load_quad<Real>(points.near(arm.edge, level + 1, arm.end));
     };
-    spare_.front() = near(arms_[side][0]);
-    spare_.back() = near(arms_[side][1]);
-    for (std::size_t m = 1; m < n; ++m) {
-        spare_[2 * m - 1] = smooth_edge_point<Real>(edge_[m], row[m - 1], edge_[m - 1], row[m]);
-        spare_[2 * m] = smooth_edge_point<Real>(edge_[m], row[m], edge_[m + 1], row[m - 1]);
-    }
+    spare_[0] = near(arms_[side][0]);
+    spare_[2 * n - 1] = near(arms_[side][1]);
+    refine_row_beside<Real>(edge_.data(), row.data(), static_cast<Index>(n), spare_.data());
     std::swap(row, spare_);
 }
 

@@ -74,15 +74,15 @@ class Fan {
     void run(Index v, int level, EdgePoints<Real>& points);
 
     /// At the level that was run to.
-    const Quad<Real>& centre() const { return centre_; }
+    const PaddedPoint<Real>& centre() const { return centre_; }
     /// Point i is on edge i of the ring; where `points` has that level.
-    std::span<const Quad<Real>> ring() const { return std::span(ring_).subspan(1, edges_.size()); }
+    std::span<const PaddedPoint<Real>> ring() const { return {ring_.data() + 1, edges_.size()}; }
 
   private:
     void start(Index v);
     void step(int level, bool with_ring);
     void store(int level, EdgePoints<Real>& points) const;
-    Quad<Real> vertex_point(int level);
+    PaddedPoint<Real> vertex_point(int level);
     Quad<Real> edge_point(int level, std::size_t i) const;
     void close_ring();
 
@@ -90,8 +90,8 @@ class Fan {
     Index vertex_ = 0;
     std::span<const Index> edges_;
     std::vector<int> ends_;  // of which edge the vertex is end 0, of which end 1
-    Quad<Real> centre_{};
-    std::vector<Quad<Real>> ring_,
+    PaddedPoint<Real> centre_;
+    std::vector<PaddedPoint<Real>> ring_,
         next_ring_;  // the last point stands before the first as well, and the first after the last
     std::vector<float> sharp_, child_sharp_;
 };
@@ -107,13 +107,13 @@ class Strip {
     void run(Index e, int level, EdgePoints<Real>& points);
 
     /// At the level that was run to, from end 0 to end 1.  The ends are there where `points` has that level.
-    std::span<const Quad<Real>> edge() const { return edge_; }
+    std::span<const PaddedPoint<Real>> edge() const { return {edge_.data(), edge_.size()}; }
     /// And the row in the first or second face: point k is between points k and k + 1 of the edge.
-    std::span<const Quad<Real>> row(int side) const { return rows_[side]; }
+    std::span<const PaddedPoint<Real>> row(int side) const {
+        return {rows_[side].data(), rows_[side].size()};
+    }
 
   private:
-    using Quads = std::vector<Quad<Real>>;
-
     void start(Index e);
     void take_control();
     void take(int level, EdgePoints<Real>& points);
@@ -121,7 +121,7 @@ class Strip {
     void vertex_points(int level, Index segments);
     void edge_points(int level, Index segments);
     void advance_row(int side, int level, EdgePoints<Real>& points);
-    const Quad<Real>& neighbour(Index i, int place) const;
+    const PaddedPoint<Real>& neighbour(Index i, int place) const;
 
     const LatticeSource<Real>& source_;
     Index edge_number_ = 0;
@@ -132,9 +132,9 @@ class Strip {
         int end;
     };
     std::array<std::array<Arm, 2>, 2> arms_{};  // by side, then by end
-    Quads edge_, next_;
-    std::array<Quads, 2> rows_;
-    Quads spare_;
+    PaddedPoints<Real> edge_, next_;
+    std::array<PaddedPoints<Real>, 2> rows_;
+    PaddedPoints<Real> spare_;
 };
 
 }  // namespace loopcheck::core

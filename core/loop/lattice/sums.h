@@ -6,18 +6,17 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/loop/lattice/quad.h"
 #include "core/mesh/ids.h"
-#include "core/mesh/point.h"
 
 namespace loopcheck::core {
 
-/// 3/8 (a + b) + 1/8 (c + d), summed from the left.  a and b may be exchanged, c and d not.  `Value` is a
-/// point in one form or another.
-template <class Real, class Value>
-[[gnu::always_inline]] inline Value smooth_edge_point(const Value& a, const Value& b, const Value& c,
-                                                      const Value& d) {
+/// 3/8 (a + b) + 1/8 (c + d), summed from the left.  a and b may be exchanged, c and d not.
+template <class Real>
+[[gnu::always_inline]] inline Quad<Real> smooth_edge_point(const Quad<Real>& a, const Quad<Real>& b,
+                                                           const Quad<Real>& c, const Quad<Real>& d) {
     constexpr Real end = Real(3) / 8, opposite = Real(1) / 8;
-    Value sum{};
+    Quad<Real> sum{};
     sum += end * a;
     sum += end * b;
     sum += opposite * c;
@@ -26,28 +25,29 @@ template <class Real, class Value>
 }
 
 /// 1/16 of six neighbours, in the order given, then 5/8 of the vertex.
-template <class Real, class Value, class Neighbour>
-[[gnu::always_inline]] inline Value regular_vertex_point(const Value& vertex, const Neighbour& neighbour) {
+template <class Real, class Neighbour>
+[[gnu::always_inline]] inline Quad<Real> regular_vertex_point(const Quad<Real>& vertex,
+                                                              const Neighbour& neighbour) {
     constexpr Real ring = Real(1) / 16, centre = Real(5) / 8;
-    Value sum{};
-    for (int i = 0; i < 6; ++i) sum += ring * neighbour(i);
+    Quad<Real> sum{};
+    for (int i = 0; i < 6; ++i) sum += ring * Quad<Real>(neighbour(i));
     sum += centre * vertex;
     return sum;
 }
 
 /// The midpoint of a segment of a crease, and 1/8 (a + b) + 3/4 of a vertex between a and b.
-template <class Real, class Value>
-inline Value crease_edge_point(const Value& a, const Value& b) {
+template <class Real>
+inline Quad<Real> crease_edge_point(const Quad<Real>& a, const Quad<Real>& b) {
     constexpr Real half = Real(1) / 2;
-    Value sum{};
+    Quad<Real> sum{};
     sum += half * a;
     sum += half * b;
     return sum;
 }
-template <class Real, class Value>
-inline Value crease_vertex_point(const Value& a, const Value& b, const Value& vertex) {
+template <class Real>
+inline Quad<Real> crease_vertex_point(const Quad<Real>& a, const Quad<Real>& b, const Quad<Real>& vertex) {
     constexpr Real side = Real(1) / 8, centre = Real(3) / 4;
-    Value sum{};
+    Quad<Real> sum{};
     sum += side * a;
     sum += side * b;
     sum += centre * vertex;
