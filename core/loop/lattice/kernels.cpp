@@ -169,6 +169,25 @@ template <class Real>
     return packed;
 }
 
+template <class Real>
+[[gnu::always_inline]] inline void limit_kernel(const QuadLattice<Real>* lattice,
+                                                const LatticePattern* pattern, Index j,
+                                                const RegularLimit<Real>* weights, Real* positions,
+                                                Real* normals) {
+    const PaddedPoint<Real>* row = lattice->row(j) + 1;
+    const std::uint8_t* starts = pattern->row(j) + 1;
+    for (Index i = 1; i + j < lattice->segments(); ++i, ++row, positions += kPacked, normals += kPacked) {
+        const std::ptrdiff_t* ring = lattice->ring(*starts++ & LatticePattern::kRing);
+        std::array<Quad<Real>, 3> sums{};
+        for (std::size_t k = 0; k < 7; ++k) {
+            const Quad<Real> point = row[k < 6 ? ring[k] : 0];
+            for (std::size_t s = 0; s < 3; ++s) sums[s] += (*weights)[s][k] * point;
+        }
+        store_quad<Real>(sums[0], positions);
+        store_quad<Real>(unit_normal<Real>(sums[1], sums[2]), normals);
+    }
+}
+
 }  // namespace
 
 template <class Real>
@@ -209,6 +228,12 @@ Real* refine_rows(const QuadLattice<Real>& lattice, const LatticePattern& patter
     return run<rows_kernel<Real>>(&lattice, &pattern, first, last, packed);
 }
 
+template <class Real>
+void limits_of_row(const QuadLattice<Real>& lattice, const LatticePattern& pattern, Index j,
+                   const RegularLimit<Real>& weights, Real* positions, Real* normals) {
+    run<limit_kernel<Real>>(&lattice, &pattern, j, &weights, positions, normals);
+}
+
 std::string_view lattice_instructions() {
     return has_avx2() ? "AVX2" : "those of the build";
 }
@@ -223,7 +248,9 @@ std::string_view lattice_instructions() {
     template void refine_row_beside<Real>(const PaddedPoint<Real>*, const PaddedPoint<Real>*, Index,        \
                                           PaddedPoint<Real>*);                                              \
     template void refine_inside<Real>(const QuadLattice<Real>&, const LatticePattern&, QuadLattice<Real>&); \
-    template Real* refine_rows<Real>(const QuadLattice<Real>&, const LatticePattern&, Index, Index, Real*);
+    template Real* refine_rows<Real>(const QuadLattice<Real>&, const LatticePattern&, Index, Index, Real*); \
+    template void limits_of_row<Real>(const QuadLattice<Real>&, const LatticePattern&, Index,               \
+                                      const RegularLimit<Real>&, Real*, Real*);
 LOOPCHECK_INSTANCES(float)
 LOOPCHECK_INSTANCES(double)
 #undef LOOPCHECK_INSTANCES

@@ -1,6 +1,8 @@
 // The sums that most of the points of a refined mesh are made by, for the instructions of this machine.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -46,6 +48,24 @@ void refine_inside(const QuadLattice<Real>& lattice, const LatticePattern& patte
 template <class Real>
 Real* refine_rows(const QuadLattice<Real>& lattice, const LatticePattern& pattern, Index first, Index last,
                   Real* packed);
+
+/// Weights of a limit position and two limit tangents over a ring of six in ring order, then the vertex.
+template <class Real>
+using RegularLimit = std::array<std::array<Real, 7>, 3>;
+
+/// Limit positions and unit normals inside row `j` of a lattice, packed one after the other.  One real after
+/// them is overwritten.
+template <class Real>
+void limits_of_row(const QuadLattice<Real>& lattice, const LatticePattern& pattern, Index j,
+                   const RegularLimit<Real>& weights, Real* positions, Real* normals);
+
+/// a x b over its length, or 0 where that is 0: the normal of two tangents.
+template <class Real>
+[[gnu::always_inline]] inline Quad<Real> unit_normal(const Quad<Real>& a, const Quad<Real>& b) {
+    const Quad<Real> n{a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1], 0};
+    const Real length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    return length > 0 ? n / length : Quad<Real>{};
+}
 
 /// The instructions that these use on this machine: "AVX2", or those that the build was made for.
 std::string_view lattice_instructions();

@@ -7,9 +7,8 @@
 #include <tuple>
 
 #include "core/loop/lattice/address.h"
-#include "core/loop/lattice/edge_sharpness.h"
 #include "core/loop/lattice/pattern.h"
-#include "core/loop/lattice/smooth_weights.h"
+#include "core/loop/lattice/source.h"
 #include "core/mesh/point.h"
 #include "core/mesh/triangle_mesh.h"
 
@@ -67,7 +66,15 @@ class LatticeRefiner {
     void triangles(std::span<Triangle> faces, int threads = 1) const;
 
   private:
+    template <class Real>
+    friend class LatticeLimits;
+
     LatticeRefiner(const TriangleMesh& mesh, const SchemeOptions& options, int level);
+
+    template <class Real>
+    LatticeSource<Real> source(std::span<const Point<Real>> control) const {
+        return {topology(), options_, sharpness_, std::get<SmoothWeights<Real>>(smooth_), control};
+    }
 
     const TriangleMesh* mesh_;
     SchemeOptions options_;

@@ -230,10 +230,11 @@ void Strip<Real>::step(int level, EdgePoints<Real>& points) {
     std::swap(edge_, next_);
 }
 
-// Neighbour `place` of point i of the edge, from the next one on, counter-clockwise.
 template <class Real>
 const PaddedPoint<Real>& Strip<Real>::neighbour(Index i, int place) const {
     switch (place) {
+        case kSelf:
+            return edge_[i];
         case 0:
             return edge_[i + 1];
         case 1:
@@ -258,7 +259,7 @@ void Strip<Real>::vertex_points(int level, Index segments) {
     for (Index i = 1; i < segments; ++i) {
         sharp[0] = now.of_segment(e, i);
         sharp[3] = now.of_segment(e, i - 1);
-        const auto at = [&](int place) { return place == ring ? edge_[i] : neighbour(i, place); };
+        const auto at = [&](int place) { return neighbour(i, place == ring ? kSelf : place); };
         if (!is_sharp(sharp[0]) && !is_sharp(sharp[3])) {
             next_[2 * i] = regular_vertex_point<Real>(edge_[i], at);
         } else if (is_infinite(sharp[0]) && is_infinite(sharp[3])) {

@@ -7,12 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "core/loop/lattice/edge_sharpness.h"
 #include "core/loop/lattice/quad.h"
-#include "core/loop/lattice/smooth_weights.h"
-#include "core/mesh/options.h"
+#include "core/loop/lattice/source.h"
 #include "core/mesh/point.h"
-#include "core/mesh/topology.h"
 
 namespace loopcheck::core {
 
@@ -52,16 +49,6 @@ class EdgePoints {
     std::size_t room_ = 0;
     std::unique_ptr<Real[]> reals_;
     std::vector<Index> slots_;  // by edge; empty: every edge has its own number
-};
-
-/// What a mesh is refined by, and from.
-template <class Real>
-struct LatticeSource {
-    const Topology& topology;
-    const SchemeOptions& options;
-    const SharpnessLevels& sharpness;
-    const SmoothWeights<Real>& smooth;
-    std::span<const Point<Real>> control;
 };
 
 /// A control vertex and the nearest point on each edge around it pass through the levels by themselves.
@@ -108,10 +95,10 @@ class Strip {
 
     /// At the level that was run to, from end 0 to end 1.  The ends are there where `points` has that level.
     std::span<const PaddedPoint<Real>> edge() const { return {edge_.data(), edge_.size()}; }
-    /// And the row in the first or second face: point k is between points k and k + 1 of the edge.
-    std::span<const PaddedPoint<Real>> row(int side) const {
-        return {rows_[side].data(), rows_[side].size()};
-    }
+    /// Neighbour `place` of point i of the edge there, counter-clockwise from the next point of the edge on,
+    /// or the point itself.
+    static constexpr int kSelf = -1;
+    const PaddedPoint<Real>& neighbour(Index i, int place) const;
 
   private:
     void start(Index e);
@@ -121,7 +108,6 @@ class Strip {
     void vertex_points(int level, Index segments);
     void edge_points(int level, Index segments);
     void advance_row(int side, int level, EdgePoints<Real>& points);
-    const PaddedPoint<Real>& neighbour(Index i, int place) const;
 
     const LatticeSource<Real>& source_;
     Index edge_number_ = 0;

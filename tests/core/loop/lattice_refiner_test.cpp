@@ -7,6 +7,7 @@
 #include "core/loop/lattice/split_order.h"
 #include "core/loop/refine.h"
 #include "tests/support/models.h"
+#include "tests/support/same_bits.h"
 
 namespace loopcheck::core {
 namespace {
@@ -30,18 +31,15 @@ void expect_same_bits(const TriangleMesh& mesh, const SchemeOptions& options, in
         const auto refiner = LatticeRefiner::make(mesh, options, l);
         ASSERT_TRUE(refiner);
         Points<Real> fast(static_cast<std::size_t>(refiner->order().vertex_count()));
-        refiner->template refine<Real>(control, fast);
+        refiner->template refine<Real>(control, fast, 2);
         ASSERT_EQ(fast.size(), slow->levels[l].positions.size());
         const SplitOrder split(refiner->topology(), l);
         for (std::size_t v = 0; v < fast.size(); ++v) {
             const auto address = refiner->order().address_of(static_cast<std::int64_t>(v));
             const glm::dvec3 wanted =
                 vertex_of(slow->levels[l], split, refiner->order(), static_cast<std::int64_t>(v));
-            for (int c = 0; c < 3; ++c)
-                ASSERT_EQ(std::bit_cast<std::uint64_t>(static_cast<double>(fast[v][c])),
-                          std::bit_cast<std::uint64_t>(wanted[c]))
-                    << "level " << l << ", kind " << int(address.kind) << ' ' << address.index << " ("
-                    << address.i << ", " << address.j << ")";
+            ASSERT_TRUE(tests::same_bits<Real>(fast[v], wanted))
+                << "level " << l << ", " << tests::name_of(address);
         }
     }
 }
@@ -111,23 +109,47 @@ TEST(LatticeOrder, GivesEveryVertexOneAddress) {
 
 TEST(LatticeRefiner, VisitsEveryFaceWithItsPoints) {
     const TriangleMesh mesh = tests::load_model(tests::model_path("cow-creased")).mesh;
-    constexpr int kLevel = 3;
-    const auto refiner = LatticeRefiner::make(mesh, {}, kLevel).value();
-    const LatticeOrder& order = refiner.order();
     const auto control = convert_points<double>(mesh.positions());
-    Points<double> all(static_cast<std::size_t>(order.vertex_count()));
-    refiner.refine<double>(control, all);
-    Index visited = 0;
-    refiner.refine_by_face<double>(control, [&](Index f, std::span<const glm::dvec3> points) {
-        EXPECT_EQ(f, visited++);
-        std::size_t at = 0;
-        for (Index j = 0; j <= order.segments(); ++j)
-            for (Index i = 0; i + j <= order.segments(); ++i)
-                ASSERT_EQ(points[at++],
-                          all[static_cast<std::size_t>(order.vertex_at(mesh.topology(), f, i, j))]);
-        EXPECT_EQ(at, points.size());
-    });
-    EXPECT_EQ(visited, mesh.face_count());
+    for (int level = 0; level <= 4; ++level) {
+        const auto refiner = LatticeRefiner::make(mesh, {}, level).value();
+        const LatticeOrder& order = refiner.order();
+        Points<double> all(static_cast<std::size_t>(order.vertex_count()));
+        refiner.refine<double>(control, all);
+        Index visited = 0;
+        const auto visit = [&](Index f, std::span<const glm::dvec3> points) {
+            EXPECT_EQ(f, visited++);
+            std::size_t at = 0;
+            for (Index j = 0; j <= order.segments(); ++j)
+                for (Index i = 0; i + j <= order.segments(); ++i)
+                    ASSERT_TRUE(tests::same_bits<double>(
+                        points[at++],
+                        all[static_cast<std::size_t>(order.vertex_at(mesh.topology(), f, i, j))]))
+                        << level << ": face " << f << " (" << i << ", " << j << ")";
+            EXPECT_EQ(at, points.size());
+        };
+        refiner.refine_by_face<double>(control, visit);
+        EXPECT_EQ(visited, mesh.face_count());
+        visited = 7;  // alone, with nothing known of the faces around it
+        refiner.refine_by_face<double>(control, {7, 8}, visit);
+        EXPECT_EQ(visited, 8);
+    }
+}
+
+TEST(LatticeRefiner, HasTheSameBitsOnAnyNumberOfThreads) {
+    const TriangleMesh mesh = tests::load_model(tests::model_path("cow-creased")).mesh;
+    const auto refiner = LatticeRefiner::make(mesh, {}, 5).value();
+    const auto vertices = static_cast<std::size_t>(refiner.order().vertex_count());
+    const auto faces = static_cast<std::size_t>(refiner.order().face_count());
+    Points<double> alone(vertices), shared(vertices);
+    std::vector<Triangle> faces_alone(faces), faces_shared(faces);
+    refiner.refine<double>(mesh.positions(), alone, 1);
+    refiner.triangles(faces_alone, 1);
+    for (const int threads : {2, 5}) {
+        refiner.refine<double>(mesh.positions(), shared, threads);
+        refiner.triangles(faces_shared, threads);
+        EXPECT_EQ(alone, shared);
+        EXPECT_EQ(faces_alone, faces_shared);
+    }
 }
 
 TEST(LatticeRefiner, RefusesLevelsThatCannotBeNumbered) {

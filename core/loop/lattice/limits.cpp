@@ -1,0 +1,193 @@
+#include "core/loop/lattice/limits.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/loop/lattice/parallel.h"
+#include "core/loop/lattice/patch.h"
+#include "core/loop/lattice/stream.h"
+#include "core/loop/sublevel.h"
+
+namespace loopcheck::core {
+namespace {
+
+template <class Real, class Neighbour>
+Quad<Real> sum_over(const std::vector<Real>& weights, const Neighbour& neighbour) {
+    Quad<Real> sum{};
+    for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * Quad<Real>(neighbour(i));
+    return sum;
+}
+
+Index edge_between(const Topology& t, Index a, Index b) {
+    const auto ring = t.ring(a);
+    return *std::find_if(ring.begin(), ring.end(), [&](Index e) { return t.other_end(e, a) == b; });
+}
+
+}  // namespace
+
+template <class Real>
+LatticeLimits<Real>::LatticeLimits(LatticeRefiner refiner)
+    : refiner_(std::move(refiner)), pattern_(refiner_.order().segments()) {
+    const Topology& t = refiner_.topology();
+    const Masks& regular = *masks_of_star(Star{6, false, false, {}});
+    const std::array<const std::vector<Real>*, 3> rows{&regular.position, &regular.tangent1,
+                                                       &regular.tangent2};
+    for (std::size_t s = 0; s < 3; ++s) std::copy(rows[s]->begin(), rows[s]->end(), regular_[s].begin());
+    of_vertex_.resize(static_cast<std::size_t>(t.vertex_count));
+    for (Index v = 0; v < t.vertex_count; ++v) find_vertex_masks(v);
+    of_edge_.resize(static_cast<std::size_t>(t.edge_count()));
+    if (refiner_.order().level() > 0)
+        for (Index e = 0; e < t.edge_count(); ++e) find_edge_masks(e);
+}
+
+template <class Real>
+Result<LatticeLimits<Real>> LatticeLimits<Real>::make(const TriangleMesh& mesh, const SchemeOptions& options,
+                                                      int level) {
+    auto refiner = LatticeRefiner::make(mesh, options, level);
+    if (!refiner) return tl::unexpected(refiner.error());
+    return LatticeLimits(std::move(*refiner));
+}
+
+// -- Masks.
+
+template <class Real>
+LatticeLimits<Real>::Masks LatticeLimits<Real>::first_sector(const LimitMasks<Real>& masks) {
+    if (masks.sectors.empty()) return {masks.position, {}, {}};
+    return {masks.position, masks.sectors.front().tangent1, masks.sectors.front().tangent2};
+}
+
+template <class Real>
+const LatticeLimits<Real>::Masks* LatticeLimits<Real>::masks_of_star(const Star& star) {
+    auto& found = by_star_[star];
+    if (!found)
+        found =
+            std::make_unique<const Masks>(first_sector(limit_masks<Real>(star, refiner_.options_.weights)));
+    return found.get();
+}
+
+template <class Real>
+void LatticeLimits<Real>::find_vertex_masks(Index v) {
+    const Topology& t = refiner_.topology();
+    const LatticeSharpness& sharpness = refiner_.sharpness_[refiner_.order().level()];
+    const auto ring = t.ring(v);
+    Star star{static_cast<int>(ring.size()), t.is_boundary_vertex(v), is_sharp(sharpness.of_vertex(v)), {}};
+    bool is_settled = !is_semi_sharp(sharpness.of_vertex(v));
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const float s = sharpness.at_end(ring[i], t.edge_ends[ring[i]][0] == v ? 0 : 1);
+        if (is_sharp(s)) star.sharp.push_back(static_cast<int>(i));
+        is_settled &= !is_semi_sharp(s);
+    }
+    of_vertex_[v] = is_settled
+                        ? masks_of_star(star)
+                        : &semi_sharp_vertices_.emplace(v, semi_sharp_masks({v})).first->second.front();
+}
+
+template <class Real>
+void LatticeLimits<Real>::find_edge_masks(Index e) {
+    const Topology& t = refiner_.topology();
+    const LatticeSharpness& sharpness = refiner_.sharpness_[refiner_.order().level()];
+    if (!sharpness.is_even(e) || is_semi_sharp(sharpness.of_segment(e, 0))) {
+        semi_sharp_edges_.emplace(e, semi_sharp_masks({t.edge_ends[e][0], t.edge_ends[e][1]}));
+        return;
+    }
+    const bool open = t.is_boundary_edge(e);
+    Star star{open ? 4 : 6, open, false, {}};
+    if (is_sharp(sharpness.of_segment(e, 0))) star.sharp = {0, 3};
+    of_edge_[e] = masks_of_star(star);
+}
+
+// Of points on one edge, or of one vertex: what lies around them passes through the levels by itself.
+template <class Real>
+std::vector<typename LatticeLimits<Real>::Masks> LatticeLimits<Real>::semi_sharp_masks(
+    std::vector<Index> points) const {
+    const SchemeOptions& options = refiner_.options_;
+    const auto part_around = [&](const SchemeLevel& level) {
+        SubLevel part = sublevel_around(level.topology, level.sharpness,
+                                        vertices_to_keep(level.topology, points, options.creasing));
+        std::copy_n(part.kept.begin(), points.size(), points.begin());
+        return part;
+    };
+    SubLevel part = part_around(control_level(*refiner_.mesh_, options.boundary));
+    for (int l = 0; l < refiner_.order().level(); ++l) {
+        const Topology& t = part.level.topology;
+        std::vector<Index> next{points.front()};
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            next.push_back(t.vertex_count + edge_between(t, points[i - 1], points[i]));
+            next.push_back(points[i]);
+        }
+        points = std::move(next);
+        part = part_around(next_level(part.level, options).value().child);  // a part is never too large
+    }
+    LimitTable<Real> table(part.level, options);
+    std::vector<Masks> out;
+    for (const Index v : points) out.push_back(first_sector(table.masks(v)));
+    return out;
+}
+
+// -- Points.
+
+template <class Real>
+void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::span<Point<Real>> positions,
+                                   std::span<Point<Real>> normals, int threads) const {
+    const Topology& t = refiner_.topology();
+    const int level = order().level();
+    const Index n = order().segments();
+    const LatticeSource<Real> from = refiner_.source<Real>(control);
+    EdgePoints<Real> points(level);
+    points.hold_all(t.edge_count());
+    const auto put = [&](const Masks& masks, std::int64_t at, const auto& neighbour) {
+        const auto v = static_cast<std::size_t>(at);
+        positions[v] = PaddedPoint<Real>(sum_over<Real>(masks.position, neighbour));
+        normals[v] = PaddedPoint<Real>(unit_normal<Real>(sum_over<Real>(masks.tangent1, neighbour),
+                                                         sum_over<Real>(masks.tangent2, neighbour)));
+    };
+
+    for_ranges(t.vertex_count, grain(1), threads, [&](Index first, Index last) {
+        Fan<Real> fan(from);
+        for (Index v = first; v < last; ++v) {
+            fan.run(v, level, points);
+            const auto ring = fan.ring();
+            put(*of_vertex_[v], v, [&](std::size_t i) { return i < ring.size() ? ring[i] : fan.centre(); });
+        }
+    });
+    if (level == 0) return;
+    for_ranges(t.edge_count(), grain(n), threads, [&](Index first, Index last) {
+        Strip<Real> strip(from);
+        for (Index e = first; e < last; ++e) {
+            strip.run(e, level, points);
+            const std::vector<Masks>* own = of_edge_[e] == nullptr ? &semi_sharp_edges_.at(e) : nullptr;
+            for (Index i = 1; i < n; ++i) {
+                const Masks& masks = own == nullptr ? *of_edge_[e] : (*own)[i];
+                const int ring = static_cast<int>(masks.position.size()) - 1;
+                put(masks, order().first_of_edge(e) + i - 1, [&](std::size_t place) {
+                    return strip.neighbour(
+                        i, static_cast<int>(place) == ring ? Strip<Real>::kSelf : static_cast<int>(place));
+                });
+            }
+        }
+    });
+    if (order().inside_of_face() == 0) return;
+    for_ranges(t.face_count(), grain(order().inside_of_face()), threads, [&](Index first, Index last) {
+        Patch<Real> patch(t, pattern_, level);
+        const std::size_t row = kPacked * static_cast<std::size_t>(n) + 1;
+        Outbox<Real> out(kPacked * positions.size(), row), out_normals(kPacked * normals.size(), row);
+        for (Index f = first; f < last; ++f) {
+            patch.run(control, f, points);
+            const auto begin = static_cast<std::size_t>(order().first_of_face(f));
+            out.begin(&positions[begin].x);
+            out_normals.begin(&normals[begin].x);
+            for (Index j = 1; j + 1 < n; ++j) {
+                limits_of_row<Real>(patch.last(), pattern_, j, regular_, out.end(), out_normals.end());
+                out.advance(out.end() + kPacked * (n - j - 1));
+                out_normals.advance(out_normals.end() + kPacked * (n - j - 1));
+            }
+            out.flush();
+            out_normals.flush();
+        }
+    });
+}
+
+template class LatticeLimits<float>;
+template class LatticeLimits<double>;
+
+}  // namespace loopcheck::core

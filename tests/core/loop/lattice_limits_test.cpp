@@ -1,0 +1,77 @@
+#include "core/loop/lattice/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/loop/lattice/split_order.h"
+#include "core/loop/limit.h"
+#include "tests/support/models.h"
+#include "tests/support/same_bits.h"
+
+namespace loopcheck::core {
+namespace {
+
+template <class Real>
+void expect_limits_of_the_rows(const TriangleMesh& mesh, const SchemeOptions& options, int levels) {
+    const auto slow = limits<Real>(mesh, options, levels);
+    ASSERT_TRUE(slow);
+    const auto control = convert_points<Real>(mesh.positions());
+    for (int l = 0; l <= levels; ++l) {
+        const auto fast = LatticeLimits<Real>::make(mesh, options, l);
+        ASSERT_TRUE(fast);
+        const auto count = static_cast<std::size_t>(fast->order().vertex_count());
+        Points<Real> positions(count), normals(count);
+        fast->evaluate(control, positions, normals, 2);
+        const SplitOrder split(mesh.topology(), l);
+        const LimitLevel& wanted = slow->levels[l];
+        ASSERT_EQ(wanted.positions.size(), count);
+        for (std::size_t v = 0; v < count; ++v) {
+            const auto address = fast->order().address_of(static_cast<std::int64_t>(v));
+            const auto number = static_cast<std::size_t>(split.vertex(address));
+            ASSERT_TRUE(tests::same_bits<Real>(positions[v], wanted.positions[number]))
+                << "level " << l << ", " << tests::name_of(address);
+            const Point<Real> across =
+                glm::cross(Point<Real>(wanted.tangent1[number]), Point<Real>(wanted.tangent2[number]));
+            const Real length = std::sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
+            const Point<Real> normal = length > 0 ? across / length : Point<Real>(0);
+            ASSERT_TRUE(tests::same_bits<Real>(normals[v], glm::dvec3(normal)))
+                << "normal, level " << l << ", " << tests::name_of(address);
+        }
+    }
+}
+
+class LatticeLimitsOfEveryModel : public testing::TestWithParam<std::string> {};
+
+TEST_P(LatticeLimitsOfEveryModel, HaveTheBitsOfLimits) {
+    const TriangleMesh mesh = tests::load_model(GetParam()).mesh;
+    const int levels = tests::levels_up_to(3);
+    for (const BoundaryRule boundary :
+         {BoundaryRule::EdgeAndCorner, BoundaryRule::EdgeOnly, BoundaryRule::None})
+        for (const Creasing creasing : {Creasing::Uniform, Creasing::Chaikin}) {
+            SchemeOptions options;
+            options.boundary = boundary;
+            options.creasing = creasing;
+            ASSERT_NO_FATAL_FAILURE(expect_limits_of_the_rows<double>(mesh, options, levels));
+            options.weights = Weights::Warren;
+            ASSERT_NO_FATAL_FAILURE(expect_limits_of_the_rows<float>(mesh, options, levels));
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, LatticeLimitsOfEveryModel, testing::ValuesIn(tests::model_files()),
+                         tests::model_test_name);
+
+TEST(LatticeLimits, HaveTheSameBitsOnAnyNumberOfThreads) {
+    const TriangleMesh mesh = tests::load_model(tests::model_path("cow-creased")).mesh;
+    const auto limits = LatticeLimits<double>::make(mesh, {}, 4).value();
+    const auto count = static_cast<std::size_t>(limits.order().vertex_count());
+    Points<double> alone(count), alone_normals(count), shared(count), shared_normals(count);
+    limits.evaluate(mesh.positions(), alone, alone_normals, 1);
+    limits.evaluate(mesh.positions(), shared, shared_normals, 3);
+    EXPECT_EQ(alone, shared);
+    EXPECT_EQ(alone_normals, shared_normals);
+}
+
+}  // namespace
+}  // namespace loopcheck::core
