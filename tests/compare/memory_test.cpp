@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "compare/adaptive/adaptive_comparison.h"
@@ -16,6 +17,7 @@
 #include "compare/report/html/mesh_levels.h"
 #include "compare/report/html/page.h"
 #include "compare/report/report.h"
+#include "core/loop/lattice/refiner.h"
 #include "core/mesh/io/atomic_file.h"
 #include "tests/compare/support.h"
 
@@ -61,10 +63,20 @@ TEST(AvailableMemory, IsPositiveAndFinite) {
     EXPECT_LT(available_memory(), 1e15);
 }
 
-// Peak resident memory of the program run with these arguments, in bytes.
-double peak_memory(const std::vector<std::string>& arguments) {
+// Peak resident memory of a process that does `work` and ends with the code it returns, in bytes.
+double peak_memory(const std::function<int()>& work) {
     const pid_t child = fork();
-    if (child == 0) {
+    if (child == 0) _exit(work());
+    int status = 0;
+    rusage usage{};
+    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) <= 1) << status;
+    return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+// The same of the program run with these arguments.
+double peak_memory(const std::vector<std::string>& arguments) {
+    return peak_memory([&] {
         std::vector<char*> argv;
         static std::string program = LOOPCHECK_PROGRAM;
         argv.push_back(program.data());
@@ -72,13 +84,8 @@ double peak_memory(const std::vector<std::string>& arguments) {
         for (std::string& a : copy) argv.push_back(a.data());
         argv.push_back(nullptr);
         if (freopen("/dev/null", "w", stdout) != nullptr) execv(argv[0], argv.data());
-        _exit(127);
-    }
-    int status = 0;
-    rusage usage{};
-    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) <= 1) << status;
-    return static_cast<double>(usage.ru_maxrss) * 1024;
+        return 127;
+    });
 }
 
 // The constants per vertex are measured ones: the estimate must cover the peak and not exceed it by more than
@@ -95,6 +102,24 @@ void expect_covers(double bytes_per_vertex, const std::vector<std::string>& argu
 void expect_covers(double bytes_per_vertex, const std::vector<std::string>& arguments,
                    const core::TriangleMesh& mesh, int level) {
     expect_covers(bytes_per_vertex, arguments, level_size(mesh, level).vertices);
+}
+
+// 10^9 vertices in all; memory does not depend on how many faces are visited.
+TEST(LatticeRefiner, StreamsLevel11OfTheCowInLessThanAQuarterGigabyte) {
+    const auto mesh = model_mesh("cow");
+    constexpr core::Index kFaces = 12;
+    const double peak = peak_memory([&] {
+        const auto refiner = core::LatticeRefiner::make(mesh, {}, 11).value();
+        const std::size_t points_of_face = 2049 * 2050 / 2;
+        core::Index visited = 0;
+        refiner.refine_by_face<double>(mesh.positions(), {0, kFaces},
+                                       [&](core::Index, std::span<const glm::dvec3> points) {
+                                           visited += points.size() == points_of_face;
+                                       });
+        return visited == kFaces ? 0 : 2;
+    });
+    std::printf("level 11, face by face: peak %.0f MB\n", peak / 1e6);
+    EXPECT_LT(peak, 256e6);
 }
 
 TEST(MemoryEstimate, CoversComparisons) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "core/mesh/topology.h"
 
@@ -36,6 +37,12 @@ class LatticeOrder {
     Index segments() const { return segments_; }
     std::int64_t vertex_count() const;
     std::int64_t face_count() const { return faces_ * segments_ * segments_; }
+
+    /// Whether an Index can number the vertices, and the corners of the faces.
+    bool fits_index() const {
+        constexpr std::int64_t kMost = std::numeric_limits<Index>::max();
+        return vertex_count() <= kMost && 3 * face_count() <= kMost;
+    }
 
     /// The two are inverse.
     std::int64_t index_of(const LatticeAddress& address) const;

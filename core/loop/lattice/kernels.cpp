@@ -143,13 +143,12 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void inside_kernel(const QuadLattice<Real>* lattice,
                                                  const LatticePattern* pattern, QuadLattice<Real>* next) {
-    constexpr int kStride = sizeof(Quad<Real>) / sizeof(Real);
     for (Index j = 0; j < lattice->segments(); ++j) {
         const auto inside = [&](Index row) __attribute__((always_inline)) {
             return reinterpret_cast<Real*>(next->row(row) + 1);
         };
-        if (j > 0) even_row<kStride, Real>(*lattice, j, pattern->row(j), inside(2 * j));
-        odd_row<kStride, Real>(*lattice, j, pattern->row(j), inside(2 * j + 1));
+        if (j > 0) even_row<kPadded, Real>(*lattice, j, pattern->row(j), inside(2 * j));
+        odd_row<kPadded, Real>(*lattice, j, pattern->row(j), inside(2 * j + 1));
     }
 }
 
@@ -185,6 +184,28 @@ template <class Real>
         }
         store_quad<Real>(sums[0], positions);
         store_quad<Real>(unit_normal<Real>(sums[1], sums[2]), normals);
+    }
+}
+
+// The last row is not followed by one that would mend the real after it.
+template <int kStride, class Real>
+[[gnu::always_inline]] inline void gather_kernel(const GatherList<Real>* list,
+                                                 const PaddedPoint<Real>* points, Index first, Index last,
+                                                 Real* out) {
+    const std::uint32_t* offsets = list->offsets.data();
+    for (Index row = first; row < last; ++row, out += kStride) {
+        const Index* columns = list->columns.data() + offsets[row];
+        const Real* weights = list->weights.data() + list->first_weight[row];
+        const std::uint32_t count = offsets[row + 1] - offsets[row];
+        Quad<Real> sum{};
+        if (count == 4)
+            for (std::uint32_t k = 0; k < 4; ++k) sum += weights[k] * Quad<Real>(points[columns[k]]);
+        else
+            for (std::uint32_t k = 0; k < count; ++k) sum += weights[k] * Quad<Real>(points[columns[k]]);
+        if (kStride > kPacked || row + 1 < last)
+            store_quad<Real>(sum, out);
+        else
+            store_packed<Real>(sum, out);
     }
 }
 
@@ -234,6 +255,18 @@ void limits_of_row(const QuadLattice<Real>& lattice, const LatticePattern& patte
     run<limit_kernel<Real>>(&lattice, &pattern, j, &weights, positions, normals);
 }
 
+template <class Real>
+void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index first, Index last,
+            PaddedPoint<Real>* out) {
+    run<gather_kernel<kPadded, Real>>(&list, points, first, last, reinterpret_cast<Real*>(out));
+}
+
+template <class Real>
+void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index first, Index last,
+            Real* out) {
+    run<gather_kernel<kPacked, Real>>(&list, points, first, last, out);
+}
+
 std::string_view lattice_instructions() {
     return has_avx2() ? "AVX2" : "those of the build";
 }
@@ -250,7 +283,10 @@ std::string_view lattice_instructions() {
     template void refine_inside<Real>(const QuadLattice<Real>&, const LatticePattern&, QuadLattice<Real>&); \
     template Real* refine_rows<Real>(const QuadLattice<Real>&, const LatticePattern&, Index, Index, Real*); \
     template void limits_of_row<Real>(const QuadLattice<Real>&, const LatticePattern&, Index,               \
-                                      const RegularLimit<Real>&, Real*, Real*);
+                                      const RegularLimit<Real>&, Real*, Real*);                             \
+    template void gather<Real>(const GatherList<Real>&, const PaddedPoint<Real>*, Index, Index,             \
+                               PaddedPoint<Real>*);                                                         \
+    template void gather<Real>(const GatherList<Real>&, const PaddedPoint<Real>*, Index, Index, Real*);
 LOOPCHECK_INSTANCES(float)
 LOOPCHECK_INSTANCES(double)
 #undef LOOPCHECK_INSTANCES

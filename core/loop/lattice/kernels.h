@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/loop/lattice/pattern.h"
 #include "core/loop/lattice/quad.h"
@@ -48,6 +50,23 @@ void refine_inside(const QuadLattice<Real>& lattice, const LatticePattern& patte
 template <class Real>
 Real* refine_rows(const QuadLattice<Real>& lattice, const LatticePattern& pattern, Index first, Index last,
                   Real* packed);
+
+/// The rows of one level as flat lists.
+template <class Real>
+struct GatherList {
+    std::vector<std::uint32_t> offsets;       ///< rows + 1 entries into `columns`
+    std::vector<Index> columns;               ///< in the order in which they are summed
+    std::vector<std::uint32_t> first_weight;  ///< a row; into `weights`
+    std::vector<Real> weights;
+};
+
+/// Rows `first` to `last` - 1 of a list over `points`: padded from `out` on, or packed.
+template <class Real>
+void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index first, Index last,
+            PaddedPoint<Real>* out);
+template <class Real>
+void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index first, Index last,
+            Real* out);
 
 /// Weights of a limit position and two limit tangents over a ring of six in ring order, then the vertex.
 template <class Real>

@@ -28,8 +28,8 @@ struct QuadOf<double> {
 template <class Real>
 using Quad = typename QuadOf<Real>::Type;
 
-/// Reals of a point in memory that follows another.
-inline constexpr int kPacked = 3;
+/// From a point in memory to the next, in reals.
+inline constexpr int kPacked = 3, kPadded = 4;
 
 /// Four reals from `at`: a packed point and the real that follows it.
 template <class Real>

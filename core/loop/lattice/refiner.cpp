@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "core/loop/lattice/parallel.h"
@@ -35,15 +34,9 @@ LatticeRefiner::LatticeRefiner(const TriangleMesh& mesh, const SchemeOptions& op
 
 Result<LatticeRefiner> LatticeRefiner::make(const TriangleMesh& mesh, const SchemeOptions& options,
                                             int level) {
-    constexpr std::int64_t kMost = std::numeric_limits<Index>::max();
-    constexpr int kMostLevels = 15;  // one face has more corners than can be numbered at the next
-    if (level <= kMostLevels) {
-        const LatticeOrder order(mesh.topology(), level);
-        if (order.vertex_count() <= kMost && 3 * order.face_count() <= kMost)
-            return LatticeRefiner(mesh, options, level);
-    }
-    return fail(ErrorCode::TooLarge,
-                fmt::format("Level {} has more vertices or corners of faces than 2^31 - 1.", level));
+    if (level <= kMostLevels) return LatticeRefiner(mesh, options, level);
+    return fail(ErrorCode::TooLarge, fmt::format("Level {} is beyond {}, where one face has {} vertices.",
+                                                 level, kMostLevels, closed_size(Index{1} << kMostLevels)));
 }
 
 template <class Real>

@@ -27,8 +27,10 @@ namespace loopcheck::core {
 /// Topology is prepared once; positions are pushed through again and again.
 class LatticeRefiner {
   public:
-    /// Refers to the mesh, which must live as long.
-    /// Errors   TooLarge: level L has more than 2^31 - 1 vertices, or corners of faces.
+    static constexpr int kMostLevels = 15;
+
+    /// Refers to the mesh, which must live as long.  Requires 0 <= level.
+    /// Errors   TooLarge: a level beyond `kMostLevels`.
     static Result<LatticeRefiner> make(const TriangleMesh& mesh, const SchemeOptions& options, int level);
     static Result<LatticeRefiner> make(TriangleMesh&&, const SchemeOptions&, int) = delete;
 
@@ -62,7 +64,8 @@ class LatticeRefiner {
         refine_by_face<Real>(control, {0, topology().face_count()}, visit);
     }
 
-    /// The faces of level L over `order()`, in its order.  Requires room for `order().face_count()`.
+    /// The faces of level L over `order()`, in its order.
+    /// Requires `order().fits_index()`, and room for `order().face_count()`.
     void triangles(std::span<Triangle> faces, int threads = 1) const;
 
   private:

@@ -154,32 +154,17 @@ Quad<Real> Fan<Real>::edge_point(int level, std::size_t i) const {
 
 template <class Real>
 void Strip<Real>::run(Index e, int level, EdgePoints<Real>& points) {
-    start(e);
-    int l = std::min(points.levels(), 1);
-    if (l == 0)
-        take_control();
-    else
-        take(1, points);
-    for (; l < level; ++l) step(l, points);
-}
-
-template <class Real>
-void Strip<Real>::start(Index e) {
     const Topology& t = source_.topology;
     edge_number_ = e;
     sides_ = t.is_boundary_edge(e) ? 1 : 2;
-    for (int side = 0; side < sides_; ++side) {
-        const Index f = t.edge_faces[e][side];
-        const int c = t.corner_of_edge(f, e);
-        // The edge after this one in the face begins where this one ends, the one before ends where it
-        // begins.
-        const auto arm = [&](int corner, int end) {
-            const Index edge = t.face_edges[f][corner % 3];
-            return Arm{edge, t.edge_faces[edge][0] == f ? end : 1 - end};
-        };
-        arms_[side] = {arm(c + 2, 1), arm(c + 1, 0)};
-        if (side == 1) std::swap(arms_[side][0], arms_[side][1]);
+    int l = std::min(points.levels(), 1);
+    if (l == 0) {
+        take_control();
+    } else {
+        find_arms();
+        take(1, points);
     }
+    for (; l < level; ++l) step(l, points);
 }
 
 template <class Real>
@@ -189,9 +174,28 @@ void Strip<Real>::take_control() {
     for (std::size_t end = 0; end < 2; ++end)
         edge_[end] = load_point<Real>(source_.control, t.edge_ends[edge_number_][end]);
     for (int side = 0; side < sides_; ++side) {
-        const Arm& arm = arms_[side][0];
+        const Index f = t.edge_faces[edge_number_][side];
+        constexpr std::array<int, 3> kOpposite{2, 0, 1};
         rows_[side].resize(1);
-        rows_[side][0] = load_point<Real>(source_.control, t.edge_ends[arm.edge][1 - arm.end]);
+        rows_[side][0] =
+            load_point<Real>(source_.control, t.triangles[f][kOpposite[t.corner_of_edge(f, edge_number_)]]);
+    }
+}
+
+template <class Real>
+void Strip<Real>::find_arms() {
+    const Topology& t = source_.topology;
+    for (int side = 0; side < sides_; ++side) {
+        const Index f = t.edge_faces[edge_number_][side];
+        const int c = t.corner_of_edge(f, edge_number_);
+        // The edge after this one in the face begins where this one ends, the one before ends where it
+        // begins.
+        const auto arm = [&](int corner, int end) {
+            const Index edge = t.face_edges[f][corner % 3];
+            return Arm{edge, t.edge_faces[edge][0] == f ? end : 1 - end};
+        };
+        arms_[side] = {arm(c + 2, 1), arm(c + 1, 0)};
+        if (side == 1) std::swap(arms_[side][0], arms_[side][1]);
     }
 }
 

@@ -101,7 +101,7 @@ class Strip {
     const PaddedPoint<Real>& neighbour(Index i, int place) const;
 
   private:
-    void start(Index e);
+    void find_arms();
     void take_control();
     void take(int level, EdgePoints<Real>& points);
     void step(int level, EdgePoints<Real>& points);

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/loop/lattice/evaluator.h"
 #include "core/loop/lattice/split_order.h"
 #include "core/loop/refine.h"
 #include "tests/support/models.h"
@@ -33,6 +34,10 @@ void expect_same_bits(const TriangleMesh& mesh, const SchemeOptions& options, in
         Points<Real> fast(static_cast<std::size_t>(refiner->order().vertex_count()));
         refiner->template refine<Real>(control, fast, 2);
         ASSERT_EQ(fast.size(), slow->levels[l].positions.size());
+        const auto evaluator = LatticeEvaluator<Real>::make(mesh, options, l);
+        ASSERT_TRUE(evaluator);
+        Points<Real> again(fast.size());
+        evaluator->refine(control, again, 2);
         const SplitOrder split(refiner->topology(), l);
         for (std::size_t v = 0; v < fast.size(); ++v) {
             const auto address = refiner->order().address_of(static_cast<std::int64_t>(v));
@@ -40,6 +45,8 @@ void expect_same_bits(const TriangleMesh& mesh, const SchemeOptions& options, in
                 vertex_of(slow->levels[l], split, refiner->order(), static_cast<std::int64_t>(v));
             ASSERT_TRUE(tests::same_bits<Real>(fast[v], wanted))
                 << "level " << l << ", " << tests::name_of(address);
+            ASSERT_TRUE(tests::same_bits<Real>(again[v], wanted))
+                << "evaluator, level " << l << ", " << tests::name_of(address);
         }
     }
 }
@@ -152,14 +159,19 @@ TEST(LatticeRefiner, HasTheSameBitsOnAnyNumberOfThreads) {
     }
 }
 
-TEST(LatticeRefiner, RefusesLevelsThatCannotBeNumbered) {
+TEST(LatticeRefiner, RefusesLevelsWhereOneFaceIsTooLarge) {
     const TriangleMesh mesh = tests::load_model(tests::model_path("cow")).mesh;
-    EXPECT_TRUE(LatticeRefiner::make(mesh, {}, 10));
-    for (const int level : {11, 15, 16, 30, 1000}) {
+    for (const int level : {16, 30, 1000}) {
         const auto refiner = LatticeRefiner::make(mesh, {}, level);
         ASSERT_FALSE(refiner) << level;
         EXPECT_EQ(refiner.error().code, ErrorCode::TooLarge);
     }
+}
+
+TEST(LatticeOrder, SaysWhetherAnIndexCanNumberIt) {
+    const TriangleMesh mesh = tests::load_model(tests::model_path("cow")).mesh;
+    EXPECT_TRUE(LatticeOrder(mesh.topology(), 8).fits_index());
+    EXPECT_FALSE(LatticeOrder(mesh.topology(), 11).fits_index());
 }
 
 }  // namespace
