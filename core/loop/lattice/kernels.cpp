@@ -1,5 +1,7 @@
 #include "core/loop/lattice/kernels.h"
 
+#include <cmath>
+
 #include "core/loop/lattice/sums.h"
 
 // Where the compiler can make a function for instructions that the build does not rely on.
@@ -168,6 +170,30 @@ template <class Real>
     return packed;
 }
 
+// a x b times the inverse of its length, or 0 where that is 0.
+template <class Real>
+[[gnu::always_inline]] inline Quad<Real> unit_normal(const Quad<Real>& a, const Quad<Real>& b) {
+    const Quad<Real> n =
+        __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+        __builtin_shufflevector(b, b, 1, 2, 0, 3) * __builtin_shufflevector(a, a, 2, 0, 1, 3);
+    const Quad<Real> squares = n * n;
+    const Real length = std::sqrt(squares[0] + squares[1] + squares[2]);
+    return n * (length > 0 ? 1 / length : Real(0));
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void ring_limit_kernel(const PaddedPoint<Real>* ring,
+                                                     const LimitWeights<Real>* weights,
+                                                     PaddedPoint<Real>* position, PaddedPoint<Real>* normal) {
+    const auto sum_over = [&](const std::vector<Real>& w) __attribute__((always_inline)) {
+        Quad<Real> sum{};
+        for (std::size_t k = 0; k < w.size(); ++k) sum += w[k] * Quad<Real>(ring[k]);
+        return sum;
+    };
+    *position = sum_over(weights->position);
+    *normal = unit_normal<Real>(sum_over(weights->tangent1), sum_over(weights->tangent2));
+}
+
 template <class Real>
 [[gnu::always_inline]] inline void limit_kernel(const QuadLattice<Real>* lattice,
                                                 const LatticePattern* pattern, Index j,
@@ -175,15 +201,20 @@ template <class Real>
                                                 Real* normals) {
     const PaddedPoint<Real>* row = lattice->row(j) + 1;
     const std::uint8_t* starts = pattern->row(j) + 1;
+    const auto [side, centre, sine] = *weights;
+    constexpr Real half = Real(1) / 2;
     for (Index i = 1; i + j < lattice->segments(); ++i, ++row, positions += kPacked, normals += kPacked) {
         const std::ptrdiff_t* ring = lattice->ring(*starts++ & LatticePattern::kRing);
-        std::array<Quad<Real>, 3> sums{};
-        for (std::size_t k = 0; k < 7; ++k) {
-            const Quad<Real> point = row[k < 6 ? ring[k] : 0];
-            for (std::size_t s = 0; s < 3; ++s) sums[s] += (*weights)[s][k] * point;
-        }
-        store_quad<Real>(sums[0], positions);
-        store_quad<Real>(unit_normal<Real>(sums[1], sums[2]), normals);
+        const Quad<Real> p0 = row[ring[0]], p1 = row[ring[1]], p2 = row[ring[2]], p3 = row[ring[3]],
+                         p4 = row[ring[4]], p5 = row[ring[5]], vertex = row[0];
+        const Quad<Real> zero{};
+        store_quad<Real>(
+            zero + side * p0 + side * p1 + side * p2 + side * p3 + side * p4 + side * p5 + centre * vertex,
+            positions);
+        // Terms of weight 0 would not change a sum that begins with +0.
+        const Quad<Real> tangent1 = zero + p0 + half * p1 - half * p2 - p3 - half * p4 + half * p5;
+        const Quad<Real> tangent2 = zero + sine * p1 + sine * p2 - sine * p4 - sine * p5;
+        store_quad<Real>(unit_normal<Real>(tangent1, tangent2), normals);
     }
 }
 
@@ -256,6 +287,12 @@ void limits_of_row(const QuadLattice<Real>& lattice, const LatticePattern& patte
 }
 
 template <class Real>
+void limit_of_ring(const PaddedPoint<Real>* ring, const LimitWeights<Real>& weights,
+                   PaddedPoint<Real>& position, PaddedPoint<Real>& normal) {
+    run<ring_limit_kernel<Real>>(ring, &weights, &position, &normal);
+}
+
+template <class Real>
 void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index first, Index last,
             PaddedPoint<Real>* out) {
     run<gather_kernel<kPadded, Real>>(&list, points, first, last, reinterpret_cast<Real*>(out));
@@ -286,7 +323,9 @@ std::string_view lattice_instructions() {
                                       const RegularLimit<Real>&, Real*, Real*);                             \
     template void gather<Real>(const GatherList<Real>&, const PaddedPoint<Real>*, Index, Index,             \
                                PaddedPoint<Real>*);                                                         \
-    template void gather<Real>(const GatherList<Real>&, const PaddedPoint<Real>*, Index, Index, Real*);
+    template void gather<Real>(const GatherList<Real>&, const PaddedPoint<Real>*, Index, Index, Real*);     \
+    template void limit_of_ring<Real>(const PaddedPoint<Real>*, const LimitWeights<Real>&,                  \
+                                      PaddedPoint<Real>&, PaddedPoint<Real>&);
 LOOPCHECK_INSTANCES(float)
 LOOPCHECK_INSTANCES(double)
 #undef LOOPCHECK_INSTANCES

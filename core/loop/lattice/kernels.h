@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -68,9 +67,12 @@ template <class Real>
 void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index first, Index last,
             Real* out);
 
-/// Weights of a limit position and two limit tangents over a ring of six in ring order, then the vertex.
+/// Of the limit of a regular vertex: the weight of a neighbour and that of the vertex in the position, and
+/// sin(pi/3) in the second tangent; its other weights, and the first tangent's, are 0, +-1/2 and +-1.
 template <class Real>
-using RegularLimit = std::array<std::array<Real, 7>, 3>;
+struct RegularLimit {
+    Real side, centre, sine;
+};
 
 /// Limit positions and unit normals inside row `j` of a lattice, packed one after the other.  One real after
 /// them is overwritten.
@@ -78,13 +80,18 @@ template <class Real>
 void limits_of_row(const QuadLattice<Real>& lattice, const LatticePattern& pattern, Index j,
                    const RegularLimit<Real>& weights, Real* positions, Real* normals);
 
-/// a x b over its length, or 0 where that is 0: the normal of two tangents.
+/// Weights of a limit position and two limit tangents over a ring and its vertex; the tangents' are empty
+/// where there is no normal.
 template <class Real>
-[[gnu::always_inline]] inline Quad<Real> unit_normal(const Quad<Real>& a, const Quad<Real>& b) {
-    const Quad<Real> n{a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1], 0};
-    const Real length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    return length > 0 ? n / length : Quad<Real>{};
-}
+struct LimitWeights {
+    std::vector<Real> position, tangent1, tangent2;
+};
+
+/// A limit position and unit normal, from the points of a ring and its vertex.  The normal is 0 where there
+/// is none.
+template <class Real>
+void limit_of_ring(const PaddedPoint<Real>* ring, const LimitWeights<Real>& weights,
+                   PaddedPoint<Real>& position, PaddedPoint<Real>& normal);
 
 /// The instructions that these use on this machine: "AVX2", or those that the build was made for.
 std::string_view lattice_instructions();

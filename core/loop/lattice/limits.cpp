@@ -1,7 +1,6 @@
 #include "core/loop/lattice/limits.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/loop/lattice/parallel.h"
 #include "core/loop/lattice/patch.h"
@@ -10,13 +9,6 @@
 
 namespace loopcheck::core {
 namespace {
-
-template <class Real, class Neighbour>
-Quad<Real> sum_over(const std::vector<Real>& weights, const Neighbour& neighbour) {
-    Quad<Real> sum{};
-    for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * Quad<Real>(neighbour(i));
-    return sum;
-}
 
 Index edge_between(const Topology& t, Index a, Index b) {
     const auto ring = t.ring(a);
@@ -30,9 +22,7 @@ LatticeLimits<Real>::LatticeLimits(LatticeRefiner refiner)
     : refiner_(std::move(refiner)), pattern_(refiner_.order().segments()) {
     const Topology& t = refiner_.topology();
     const Masks& regular = *masks_of_star(Star{6, false, false, {}});
-    const std::array<const std::vector<Real>*, 3> rows{&regular.position, &regular.tangent1,
-                                                       &regular.tangent2};
-    for (std::size_t s = 0; s < 3; ++s) std::copy(rows[s]->begin(), rows[s]->end(), regular_[s].begin());
+    regular_ = {regular.position.front(), regular.position.back(), regular.tangent2[1]};
     of_vertex_.resize(static_cast<std::size_t>(t.vertex_count));
     for (Index v = 0; v < t.vertex_count; ++v) find_vertex_masks(v);
     of_edge_.resize(static_cast<std::size_t>(t.edge_count()));
@@ -51,13 +41,13 @@ Result<LatticeLimits<Real>> LatticeLimits<Real>::make(const TriangleMesh& mesh, 
 // -- Masks.
 
 template <class Real>
-LatticeLimits<Real>::Masks LatticeLimits<Real>::first_sector(const LimitMasks<Real>& masks) {
+LimitWeights<Real> LatticeLimits<Real>::first_sector(const LimitMasks<Real>& masks) {
     if (masks.sectors.empty()) return {masks.position, {}, {}};
     return {masks.position, masks.sectors.front().tangent1, masks.sectors.front().tangent2};
 }
 
 template <class Real>
-const LatticeLimits<Real>::Masks* LatticeLimits<Real>::masks_of_star(const Star& star) {
+const LimitWeights<Real>* LatticeLimits<Real>::masks_of_star(const Star& star) {
     auto& found = by_star_[star];
     if (!found)
         found =
@@ -98,8 +88,7 @@ void LatticeLimits<Real>::find_edge_masks(Index e) {
 
 // Of points on one edge, or of one vertex: what lies around them passes through the levels by itself.
 template <class Real>
-std::vector<typename LatticeLimits<Real>::Masks> LatticeLimits<Real>::semi_sharp_masks(
-    std::vector<Index> points) const {
+std::vector<LimitWeights<Real>> LatticeLimits<Real>::semi_sharp_masks(std::vector<Index> points) const {
     const SchemeOptions& options = refiner_.options_;
     const auto part_around = [&](const SchemeLevel& level) {
         SubLevel part = sublevel_around(level.topology, level.sharpness,
@@ -135,34 +124,36 @@ void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::sp
     const LatticeSource<Real> from = refiner_.source<Real>(control);
     EdgePoints<Real> points(level);
     points.hold_all(t.edge_count());
-    const auto put = [&](const Masks& masks, std::int64_t at, const auto& neighbour) {
-        const auto v = static_cast<std::size_t>(at);
-        positions[v] = PaddedPoint<Real>(sum_over<Real>(masks.position, neighbour));
-        normals[v] = PaddedPoint<Real>(unit_normal<Real>(sum_over<Real>(masks.tangent1, neighbour),
-                                                         sum_over<Real>(masks.tangent2, neighbour)));
+    const auto put = [&](const Masks& masks, const PaddedPoints<Real>& ring, std::int64_t v) {
+        PaddedPoint<Real> position, normal;
+        limit_of_ring<Real>(ring.data(), masks, position, normal);
+        positions[static_cast<std::size_t>(v)] = position;
+        normals[static_cast<std::size_t>(v)] = normal;
     };
 
     for_ranges(t.vertex_count, grain(1), threads, [&](Index first, Index last) {
         Fan<Real> fan(from);
+        PaddedPoints<Real> ring;
         for (Index v = first; v < last; ++v) {
             fan.run(v, level, points);
-            const auto ring = fan.ring();
-            put(*of_vertex_[v], v, [&](std::size_t i) { return i < ring.size() ? ring[i] : fan.centre(); });
+            ring.resize(fan.ring().size() + 1);
+            std::copy(fan.ring().begin(), fan.ring().end(), ring.data());
+            ring[fan.ring().size()] = fan.centre();
+            put(*of_vertex_[v], ring, v);
         }
     });
     if (level == 0) return;
     for_ranges(t.edge_count(), grain(n), threads, [&](Index first, Index last) {
         Strip<Real> strip(from);
+        PaddedPoints<Real> ring(7);
         for (Index e = first; e < last; ++e) {
             strip.run(e, level, points);
             const std::vector<Masks>* own = of_edge_[e] == nullptr ? &semi_sharp_edges_.at(e) : nullptr;
+            const int size = t.is_boundary_edge(e) ? 4 : 6;
             for (Index i = 1; i < n; ++i) {
-                const Masks& masks = own == nullptr ? *of_edge_[e] : (*own)[i];
-                const int ring = static_cast<int>(masks.position.size()) - 1;
-                put(masks, order().first_of_edge(e) + i - 1, [&](std::size_t place) {
-                    return strip.neighbour(
-                        i, static_cast<int>(place) == ring ? Strip<Real>::kSelf : static_cast<int>(place));
-                });
+                for (int place = 0; place < size; ++place) ring[place] = strip.neighbour(i, place);
+                ring[size] = strip.neighbour(i, Strip<Real>::kSelf);
+                put(own == nullptr ? *of_edge_[e] : (*own)[i], ring, order().first_of_edge(e) + i - 1);
             }
         }
     });

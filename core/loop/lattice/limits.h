@@ -33,10 +33,7 @@ class LatticeLimits {
                   std::span<Point<Real>> normals, int threads = 1) const;
 
   private:
-    // Weights over a ring, then the vertex.  The tangents are empty where there is no normal.
-    struct Masks {
-        std::vector<Real> position, tangent1, tangent2;
-    };
+    using Masks = LimitWeights<Real>;
 
     explicit LatticeLimits(LatticeRefiner refiner);
 

@@ -235,26 +235,6 @@ void Strip<Real>::step(int level, EdgePoints<Real>& points) {
 }
 
 template <class Real>
-const PaddedPoint<Real>& Strip<Real>::neighbour(Index i, int place) const {
-    switch (place) {
-        case kSelf:
-            return edge_[i];
-        case 0:
-            return edge_[i + 1];
-        case 1:
-            return rows_[0][i];
-        case 2:
-            return rows_[0][i - 1];
-        case 3:
-            return edge_[i - 1];
-        case 4:
-            return rows_[1][i - 1];
-        default:
-            return rows_[1][i];
-    }
-}
-
-template <class Real>
 void Strip<Real>::vertex_points(int level, Index segments) {
     const LatticeSharpness &now = source_.sharpness[level], &child = source_.sharpness[level + 1];
     const Index e = edge_number_;

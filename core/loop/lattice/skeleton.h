@@ -98,7 +98,24 @@ class Strip {
     /// Neighbour `place` of point i of the edge there, counter-clockwise from the next point of the edge on,
     /// or the point itself.
     static constexpr int kSelf = -1;
-    const PaddedPoint<Real>& neighbour(Index i, int place) const;
+    const PaddedPoint<Real>& neighbour(Index i, int place) const {
+        switch (place) {
+            case kSelf:
+                return edge_[i];
+            case 0:
+                return edge_[i + 1];
+            case 1:
+                return rows_[0][i];
+            case 2:
+                return rows_[0][i - 1];
+            case 3:
+                return edge_[i - 1];
+            case 4:
+                return rows_[1][i - 1];
+            default:
+                return rows_[1][i];
+        }
+    }
 
   private:
     void find_arms();

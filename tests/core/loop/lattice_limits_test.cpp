@@ -35,7 +35,7 @@ void expect_limits_of_the_rows(const TriangleMesh& mesh, const SchemeOptions& op
             const Point<Real> across =
                 glm::cross(Point<Real>(wanted.tangent1[number]), Point<Real>(wanted.tangent2[number]));
             const Real length = std::sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
-            const Point<Real> normal = length > 0 ? across / length : Point<Real>(0);
+            const Point<Real> normal = across * (length > 0 ? 1 / length : Real(0));
             ASSERT_TRUE(tests::same_bits<Real>(normals[v], glm::dvec3(normal)))
                 << "normal, level " << l << ", " << tests::name_of(address);
         }
