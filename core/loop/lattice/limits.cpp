@@ -122,8 +122,10 @@ void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::sp
     const int level = order().level();
     const Index n = order().segments();
     const LatticeSource<Real> from = refiner_.source<Real>(control);
+    FanPoints<Real> fans(level);
     EdgePoints<Real> points(level);
-    points.hold_all(t.edge_count());
+    fans.hold_all(t);
+    points.hold_all(t);
     const auto put = [&](const Masks& masks, const PaddedPoints<Real>& ring, std::int64_t v) {
         PaddedPoint<Real> position, normal;
         limit_of_ring<Real>(ring.data(), masks, position, normal);
@@ -135,7 +137,7 @@ void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::sp
         Fan<Real> fan(from);
         PaddedPoints<Real> ring;
         for (Index v = first; v < last; ++v) {
-            fan.run(v, level, points);
+            fan.run(v, level, fans);
             ring.resize(fan.ring().size() + 1);
             std::copy(fan.ring().begin(), fan.ring().end(), ring.data());
             ring[fan.ring().size()] = fan.centre();
@@ -147,7 +149,7 @@ void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::sp
         Strip<Real> strip(from);
         PaddedPoints<Real> ring(7);
         for (Index e = first; e < last; ++e) {
-            strip.run(e, level, points);
+            strip.run(e, level, fans, points);
             const std::vector<Masks>* own = of_edge_[e] == nullptr ? &semi_sharp_edges_.at(e) : nullptr;
             const int size = t.is_boundary_edge(e) ? 4 : 6;
             for (Index i = 1; i < n; ++i) {

@@ -50,20 +50,22 @@ void LatticeRefiner::refine(std::span<const Point<Real>> control, std::span<Poin
     }
     const LatticeSource<Real> from = source<Real>(control);
     const Index n = order_.segments();
+    FanPoints<Real> fans(level - 1);
     EdgePoints<Real> points(level - 1);
-    points.hold_all(t.edge_count());
+    fans.hold_all(t);
+    points.hold_all(t);
 
     for_ranges(t.vertex_count, grain(1), threads, [&](Index first, Index last) {
         Fan<Real> fan(from);
         for (Index v = first; v < last; ++v) {
-            fan.run(v, level, points);
+            fan.run(v, level, fans);
             refined[static_cast<std::size_t>(v)] = fan.centre();
         }
     });
     for_ranges(t.edge_count(), grain(n), threads, [&](Index first, Index last) {
         Strip<Real> strip(from);
         for (Index e = first; e < last; ++e) {
-            strip.run(e, level, points);
+            strip.run(e, level, fans, points);
             auto out = refined.begin() + order_.first_of_edge(e);
             for (const PaddedPoint<Real>& q : strip.edge().subspan(1, static_cast<std::size_t>(n) - 1))
                 *out++ = q;
@@ -95,6 +97,7 @@ void LatticeRefiner::refine_by_face(std::span<const Point<Real>> control, FaceRa
     const int level = order_.level();
     const Index n = order_.segments();
     const LatticeSource<Real> from = source<Real>(control);
+    FanPoints<Real> fans(level);
     EdgePoints<Real> points(level);
     Fan<Real> fan(from);
     Strip<Real> strip(from);
@@ -113,9 +116,10 @@ void LatticeRefiner::refine_by_face(std::span<const Point<Real>> control, FaceRa
         keep_once(edges);
         for (const Index v : corners) around.insert(around.end(), t.ring(v).begin(), t.ring(v).end());
         keep_once(around);
-        points.hold(around, t.edge_count());
-        for (const Index v : corners) fan.run(v, level, points);
-        for (const Index e : edges) strip.run(e, level, points);
+        fans.hold(corners, around, t);
+        points.hold(edges, t);
+        for (const Index v : corners) fan.run(v, level, fans);
+        for (const Index e : edges) strip.run(e, level, fans, points);
         for (Index f = begin; f < end; ++f) {
             patch.run(control, f, points);
             auto out = packed.begin();

@@ -38,31 +38,45 @@ Quad<Real> point_of_segment(const LatticeSource<Real>& source, int level, Index 
 }  // namespace
 
 template <class Real>
-void EdgePoints<Real>::make_room(std::size_t edges) {
-    if (edges <= room_) return;
+void PointStore<Real>::make_room(std::size_t items) {
+    if (items <= room_) return;
     // A quad at the last point reads one real more.
     reals_ =
-        std::make_unique_for_overwrite<Real[]>(kPacked * edges * static_cast<std::size_t>(per_edge_) + 1);
-    room_ = edges;
+        std::make_unique_for_overwrite<Real[]>(kPacked * items * static_cast<std::size_t>(points_each_) + 1);
+    room_ = items;
 }
 
 template <class Real>
-void EdgePoints<Real>::hold_all(Index edge_count) {
-    make_room(static_cast<std::size_t>(edge_count));
-    slots_.clear();
+void PointStore<Real>::hold_all(Index count, std::ptrdiff_t points_each) {
+    points_each_ = points_each;
+    make_room(static_cast<std::size_t>(count));
 }
 
 template <class Real>
-void EdgePoints<Real>::hold(std::span<const Index> edges, Index edge_count) {
-    make_room(edges.size());
-    slots_.resize(static_cast<std::size_t>(edge_count));
-    for (std::size_t slot = 0; slot < edges.size(); ++slot) slots_[edges[slot]] = static_cast<Index>(slot);
+void PointStore<Real>::hold(std::span<const Index> items, Index count, std::ptrdiff_t points_each) {
+    points_each_ = points_each;
+    make_room(items.size());
+    slots_.resize(static_cast<std::size_t>(count));
+    for (std::size_t slot = 0; slot < items.size(); ++slot) slots_[items[slot]] = static_cast<Index>(slot);
+}
+
+template <class Real>
+void FanPoints<Real>::hold_all(const Topology& topology) {
+    vertices_.hold_all(topology.vertex_count, levels_);
+    edges_.hold_all(topology.edge_count(), 2 * levels_);
+}
+
+template <class Real>
+void FanPoints<Real>::hold(std::span<const Index> vertices, std::span<const Index> edges,
+                           const Topology& topology) {
+    vertices_.hold(vertices, topology.vertex_count, levels_);
+    edges_.hold(edges, topology.edge_count(), 2 * levels_);
 }
 
 // -- Fans.
 
 template <class Real>
-void Fan<Real>::run(Index v, int level, EdgePoints<Real>& points) {
+void Fan<Real>::run(Index v, int level, FanPoints<Real>& points) {
     start(v);
     for (int l = 0; l < level; ++l) {
         const bool stored = l < points.levels();
@@ -109,14 +123,10 @@ void Fan<Real>::step(int level, bool with_ring) {
 }
 
 template <class Real>
-void Fan<Real>::store(int level, EdgePoints<Real>& points) const {
-    const Index last = Index{1} << level;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-        store_packed<Real>(centre_, points.at(edges_[i], level, ends_[i] == 0 ? 0 : last));
-        // At level 1 the nearest points of both ends are one: the fan at end 0 writes it where that is run.
-        if (level > 1 || ends_[i] == 0 || !points.holds_all())
-            store_packed<Real>(ring_[i + 1], points.near(edges_[i], level, ends_[i]));
-    }
+void Fan<Real>::store(int level, FanPoints<Real>& points) const {
+    store_packed<Real>(centre_, points.vertex(vertex_, level));
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+        store_packed<Real>(ring_[i + 1], points.next_to(edges_[i], ends_[i], level));
 }
 
 template <class Real>
@@ -153,18 +163,28 @@ Quad<Real> Fan<Real>::edge_point(int level, std::size_t i) const {
 // -- Strips.
 
 template <class Real>
-void Strip<Real>::run(Index e, int level, EdgePoints<Real>& points) {
+void Strip<Real>::run(Index e, int level, const FanPoints<Real>& fans, EdgePoints<Real>& points) {
     const Topology& t = source_.topology;
     edge_number_ = e;
     sides_ = t.is_boundary_edge(e) ? 1 : 2;
-    int l = std::min(points.levels(), 1);
+    int l = std::min(fans.levels(), 1);
     if (l == 0) {
         take_control();
     } else {
         find_arms();
-        take(1, points);
+        take_level_1(fans);
+        store(1, points);
     }
-    for (; l < level; ++l) step(l, points);
+    for (; l < level; ++l) {
+        step(l, fans);
+        if (l < points.levels()) store(l + 1, points);
+    }
+}
+
+template <class Real>
+void Strip<Real>::store(int level, EdgePoints<Real>& points) const {
+    Real* out = points.at(edge_number_, level, 0);
+    for (std::size_t i = 0; i < edge_.size(); ++i, out += kPacked) store_packed<Real>(edge_[i], out);
 }
 
 template <class Real>
@@ -199,22 +219,25 @@ void Strip<Real>::find_arms() {
     }
 }
 
-// The points of level 1, all of which come from fans.
+// All of them come from fans.
 template <class Real>
-void Strip<Real>::take(int level, EdgePoints<Real>& points) {
+void Strip<Real>::take_level_1(const FanPoints<Real>& fans) {
+    const auto& ends = source_.topology.edge_ends[edge_number_];
     edge_.resize(3);
-    for (Index i = 0; i < 3; ++i) edge_[i] = load_quad<Real>(points.at(edge_number_, level, i));
+    edge_[0] = load_quad<Real>(fans.vertex(ends[0], 1));
+    edge_[1] = load_quad<Real>(fans.next_to(edge_number_, 0, 1));
+    edge_[2] = load_quad<Real>(fans.vertex(ends[1], 1));
     for (int side = 0; side < sides_; ++side) {
         rows_[side].resize(2);
         for (std::size_t end = 0; end < 2; ++end) {
             const Arm& arm = arms_[side][end];
-            rows_[side][end] = load_quad<Real>(points.near(arm.edge, level, arm.end));
+            rows_[side][end] = load_quad<Real>(fans.next_to(arm.edge, arm.end, 1));
         }
     }
 }
 
 template <class Real>
-void Strip<Real>::step(int level, EdgePoints<Real>& points) {
+void Strip<Real>::step(int level, const FanPoints<Real>& fans) {
     const Index n = Index{1} << level;
     next_.resize(2 * static_cast<std::size_t>(n) + 1);
     const LatticeSharpness& sharpness = source_.sharpness[level];
@@ -224,12 +247,11 @@ void Strip<Real>::step(int level, EdgePoints<Real>& points) {
         vertex_points(level, n);
         edge_points(level, n);
     }
-    if (level < points.levels()) {
-        for (int side = 0; side < sides_; ++side) advance_row(side, level, points);
-        for (const Index end : {Index{0}, 2 * n})
-            next_[end] = load_quad<Real>(points.at(edge_number_, level + 1, end));
-        for (Index i = 2; i < 2 * n - 1; ++i)
-            store_packed<Real>(next_[i], points.at(edge_number_, level + 1, i));
+    if (level < fans.levels()) {
+        for (int side = 0; side < sides_; ++side) advance_row(side, level, fans);
+        const auto& ends = source_.topology.edge_ends[edge_number_];
+        next_[0] = load_quad<Real>(fans.vertex(ends[0], level + 1));
+        next_[2 * n] = load_quad<Real>(fans.vertex(ends[1], level + 1));
     }
     std::swap(edge_, next_);
 }
@@ -270,12 +292,12 @@ void Strip<Real>::edge_points(int level, Index segments) {
 }
 
 template <class Real>
-void Strip<Real>::advance_row(int side, int level, EdgePoints<Real>& points) {
+void Strip<Real>::advance_row(int side, int level, const FanPoints<Real>& fans) {
     PaddedPoints<Real>& row = rows_[side];
     const std::size_t n = row.size();
     spare_.resize(2 * n);
     const auto near = [&](const Arm& arm) {
-        return load_quad<Real>(points.near(arm.edge, level + 1, arm.end));
+        return load_quad<Real>(fans.next_to(arm.edge, arm.end, level + 1));
     };
     spare_[0] = near(arms_[side][0]);
     spare_[2 * n - 1] = near(arms_[side][1]);
@@ -283,8 +305,10 @@ void Strip<Real>::advance_row(int side, int level, EdgePoints<Real>& points) {
     std::swap(row, spare_);
 }
 
-template class EdgePoints<float>;
-template class EdgePoints<double>;
+template class PointStore<float>;
+template class PointStore<double>;
+template class FanPoints<float>;
+template class FanPoints<double>;
 template class Fan<float>;
 template class Fan<double>;
 template class Strip<float>;

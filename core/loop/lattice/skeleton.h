@@ -13,42 +13,77 @@
 
 namespace loopcheck::core {
 
-/// The points on edges at levels 1 to `levels`: 2^l + 1 an edge and level, ends included, from its end 0 to
-/// its end 1.  Fans write the ends and their nearest points, strips what is between.
+/// Packed points of some vertices or edges, so many each, not initialized.
+template <class Real>
+class PointStore {
+  public:
+    /// Holds those of items 0 to `count` - 1.
+    void hold_all(Index count, std::ptrdiff_t points_each);
+    /// Holds those of `items`, which are less than `count`.
+    void hold(std::span<const Index> items, Index count, std::ptrdiff_t points_each);
+
+    Real* at(Index item, std::ptrdiff_t point) { return reals_.get() + place_of(item, point); }
+    const Real* at(Index item, std::ptrdiff_t point) const { return reals_.get() + place_of(item, point); }
+
+  private:
+    std::ptrdiff_t place_of(Index item, std::ptrdiff_t point) const {
+        const Index slot = slots_.empty() ? item : slots_[item];
+        return kPacked * (slot * points_each_ + point);
+    }
+    void make_room(std::size_t items);
+
+    std::ptrdiff_t points_each_ = 0;
+    std::size_t room_ = 0;
+    std::unique_ptr<Real[]> reals_;
+    std::vector<Index> slots_;  // by item; empty: every item has its own number
+};
+
+/// What fans find at levels 1 to `levels`: control vertices, and next to them the nearest points of edges.
+template <class Real>
+class FanPoints {
+  public:
+    explicit FanPoints(int levels) : levels_(levels) {}
+    void hold_all(const Topology& topology);
+    void hold(std::span<const Index> vertices, std::span<const Index> edges, const Topology& topology);
+
+    int levels() const { return levels_; }
+    Real* vertex(Index v, int level) { return vertices_.at(v, level - 1); }
+    const Real* vertex(Index v, int level) const { return vertices_.at(v, level - 1); }
+    /// The point of an edge that is next to its end 0 or 1.
+    Real* next_to(Index edge, int end, int level) { return edges_.at(edge, end * levels_ + level - 1); }
+    const Real* next_to(Index edge, int end, int level) const {
+        return edges_.at(edge, end * levels_ + level - 1);
+    }
+
+  private:
+    int levels_;
+    PointStore<Real> vertices_, edges_;
+};
+
+/// What strips find at levels 1 to `levels`: 2^l + 1 points an edge and level, from its end 0 to its end 1.
 template <class Real>
 class EdgePoints {
   public:
-    explicit EdgePoints(int levels) : levels_(levels), per_edge_(first_of(levels + 1)) {}
-
-    /// Holds edges 0 to `edge_count` - 1, or `edges` of them.  The points are not initialized.
-    void hold_all(Index edge_count);
-    void hold(std::span<const Index> edges, Index edge_count);
+    explicit EdgePoints(int levels) : levels_(levels) {}
+    void hold_all(const Topology& topology) {
+        points_.hold_all(topology.edge_count(), first_of(levels_ + 1));
+    }
+    void hold(std::span<const Index> edges, const Topology& topology) {
+        points_.hold(edges, topology.edge_count(), first_of(levels_ + 1));
+    }
 
     int levels() const { return levels_; }
-    bool holds_all() const { return slots_.empty(); }
-    Real* at(Index edge, int level, Index point) { return reals_.get() + place_of(edge, level, point); }
+    Real* at(Index edge, int level, Index point) { return points_.at(edge, first_of(level) + point); }
     const Real* at(Index edge, int level, Index point) const {
-        return reals_.get() + place_of(edge, level, point);
-    }
-    /// The point next to end 0 or 1.
-    Real* near(Index edge, int level, int end) {
-        return at(edge, level, end == 0 ? 1 : (Index{1} << level) - 1);
+        return points_.at(edge, first_of(level) + point);
     }
 
   private:
     // 3 + 5 + 9 + ... before a level.
     static std::ptrdiff_t first_of(int level) { return (std::ptrdiff_t{1} << level) + level - 3; }
-    std::ptrdiff_t place_of(Index edge, int level, Index point) const {
-        const Index slot = slots_.empty() ? edge : slots_[edge];
-        return kPacked * (slot * per_edge_ + first_of(level) + point);
-    }
-    void make_room(std::size_t edges);
 
     int levels_;
-    std::ptrdiff_t per_edge_;
-    std::size_t room_ = 0;
-    std::unique_ptr<Real[]> reals_;
-    std::vector<Index> slots_;  // by edge; empty: every edge has its own number
+    PointStore<Real> points_;
 };
 
 /// A control vertex and the nearest point on each edge around it pass through the levels by themselves.
@@ -58,7 +93,7 @@ class Fan {
     explicit Fan(const LatticeSource<Real>& source) : source_(source) {}
 
     /// To `level`; stores what it finds of the levels that `points` has.
-    void run(Index v, int level, EdgePoints<Real>& points);
+    void run(Index v, int level, FanPoints<Real>& points);
 
     /// At the level that was run to.
     const PaddedPoint<Real>& centre() const { return centre_; }
@@ -68,7 +103,7 @@ class Fan {
   private:
     void start(Index v);
     void step(int level, bool with_ring);
-    void store(int level, EdgePoints<Real>& points) const;
+    void store(int level, FanPoints<Real>& points) const;
     PaddedPoint<Real> vertex_point(int level);
     Quad<Real> edge_point(int level, std::size_t i) const;
     void close_ring();
@@ -90,10 +125,11 @@ class Strip {
   public:
     explicit Strip(const LatticeSource<Real>& source) : source_(source) {}
 
-    /// As `Fan::run`; `points` has at least the levels before `level`.
-    void run(Index e, int level, EdgePoints<Real>& points);
+    /// To `level`; stores what it finds of the levels that `points` has.  `fans` has the same, and at least
+    /// those before `level`.
+    void run(Index e, int level, const FanPoints<Real>& fans, EdgePoints<Real>& points);
 
-    /// At the level that was run to, from end 0 to end 1.  The ends are there where `points` has that level.
+    /// At the level that was run to, from end 0 to end 1.  The ends are there where `fans` has that level.
     std::span<const PaddedPoint<Real>> edge() const { return {edge_.data(), edge_.size()}; }
     /// Neighbour `place` of point i of the edge there, counter-clockwise from the next point of the edge on,
     /// or the point itself.
@@ -120,11 +156,12 @@ class Strip {
   private:
     void find_arms();
     void take_control();
-    void take(int level, EdgePoints<Real>& points);
-    void step(int level, EdgePoints<Real>& points);
+    void take_level_1(const FanPoints<Real>& fans);
+    void step(int level, const FanPoints<Real>& fans);
+    void store(int level, EdgePoints<Real>& points) const;
     void vertex_points(int level, Index segments);
     void edge_points(int level, Index segments);
-    void advance_row(int side, int level, EdgePoints<Real>& points);
+    void advance_row(int side, int level, const FanPoints<Real>& fans);
 
     const LatticeSource<Real>& source_;
     Index edge_number_ = 0;
