@@ -395,6 +395,32 @@ def draw_twelve_points(output):
     plt.close(figure)
 
 
+def draw_three_passes(output):
+    """A face and its neighbours at level 3: what fans, strips and patches make of it."""
+    n = 8
+    figure, panels = plt.subplots(1, 3, figsize=(10.5, 3.7))
+    corners = [(0, 0), (n, 0), (0, n)]
+    edges = [(k, 0) for k in range(1, n)] + [(n - k, k) for k in range(1, n)] + [(0, k) for k in range(1, n)]
+    ring = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)]
+    fan = [(c[0] + d[0], c[1] + d[1]) for c in corners for d in ring]
+    rows = [(k, 1) for k in range(n)] + [(k + 1, -1) for k in range(n)]
+    face = [(i, j) for j in range(1, n) for i in range(1, n - j)]
+    titles = ["fans: a vertex and its ring", "strips: an edge and the rows beside it", "patches: the inside of a face"]
+    shown = [(corners, fan, []), (edges, rows, corners), (face, [], edges + corners)]
+    for axes, title, (made, helped, given) in zip(panels, titles, shown):
+        for a, b in [((0, 0), (n, 0)), ((n, 0), (0, n)), ((0, n), (0, 0))]:
+            axes.plot(*np.array([lattice(*a), lattice(*b)]).T, color="#bbbbbb", linewidth=1, zorder=0)
+        for points, colour, size in [(helped, "#9ec5e8", 13), (given, "#8d6e63", 20), (made, "#1f4e79", 20)]:
+            if points:
+                axes.scatter(*np.array([lattice(*p) for p in points]).T, s=size, color=colour, zorder=2)
+        axes.set_title(title, fontsize=10)
+        axes.set(xlim=(-1.8, n + 1.8), ylim=(-1.4, n * math.sqrt(3) / 2 + 1.4), aspect="equal")
+        axes.set_axis_off()
+    figure.tight_layout()
+    figure.savefig(output, dpi=100)
+    plt.close(figure)
+
+
 def draw_descent(output):
     """A triangle with one irregular corner: what is regular at each level, and the way to a point near the corner."""
     a, b, c = np.array([0.0, 0.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])
@@ -591,6 +617,7 @@ def main():
     draw_eigenvalues(output / "eigenvalues.png")
     draw_twelve_points(output / "twelve-points.png")
     draw_descent(output / "descent.png")
+    draw_three_passes(output / "three-passes.png")
 
 
 if __name__ == "__main__":
