@@ -1,5 +1,6 @@
 #include "core/loop/lattice/kernels.h"
 
+#include <atomic>
 #include <cmath>
 
 #include "core/loop/lattice/sums.h"
@@ -14,9 +15,11 @@ namespace {
 
 #ifdef LOOPCHECK_PICKS_AVX2
 
+std::atomic<bool> avx2_is_allowed = true;
+
 bool has_avx2() {
     static const bool has = __builtin_cpu_supports("avx2") != 0;
-    return has;
+    return has && avx2_is_allowed.load(std::memory_order_relaxed);
 }
 
 template <auto kKernel, class... Arguments>
@@ -307,6 +310,14 @@ void gather(const GatherList<Real>& list, const PaddedPoint<Real>* points, Index
 std::string_view lattice_instructions() {
     return has_avx2() ? "AVX2" : "those of the build";
 }
+
+#ifdef LOOPCHECK_PICKS_AVX2
+void allow_avx2(bool allowed) {
+    avx2_is_allowed = allowed;
+}
+#else
+void allow_avx2(bool) {}
+#endif
 
 #define LOOPCHECK_INSTANCES(Real)                                                                           \
     template PaddedPoint<Real> smooth_vertex_point<Real>(                                                   \

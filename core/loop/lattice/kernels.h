@@ -96,4 +96,7 @@ void limit_of_ring(const PaddedPoint<Real>* ring, const LimitWeights<Real>& weig
 /// The instructions that these use on this machine: "AVX2", or those that the build was made for.
 std::string_view lattice_instructions();
 
+/// For tests and benchmarks: whether they may use AVX2 where the build does not rely on it.
+void allow_avx2(bool allowed);
+
 }  // namespace loopcheck::core

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/loop/lattice/evaluator.h"
 #include "core/loop/lattice/split_order.h"
 #include "core/loop/limit.h"
 #include "tests/support/models.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/same_bits.h"
 
 namespace loopcheck::core {
@@ -62,6 +65,16 @@ TEST_P(LatticeLimitsOfEveryModel, HaveTheBitsOfLimits) {
 INSTANTIATE_TEST_SUITE_P(Models, LatticeLimitsOfEveryModel, testing::ValuesIn(tests::model_files()),
                          tests::model_test_name);
 
+TEST(LatticeLimits, HaveTheBitsOfLimitsOnRandomMeshes) {
+    tests::Random random(9);
+    for (int trial = 0; trial < 8; ++trial) {
+        const TriangleMesh mesh = tests::random_mesh(random, trial % 3 != 0);
+        const SchemeOptions options = tests::random_options(random);
+        ASSERT_NO_FATAL_FAILURE(expect_limits_of_the_rows<double>(mesh, options, tests::levels_up_to(3)))
+            << trial;
+    }
+}
+
 TEST(LatticeLimits, HaveTheSameBitsOnAnyNumberOfThreads) {
     const TriangleMesh mesh = tests::load_model(tests::model_path("cow-creased")).mesh;
     const auto limits = LatticeLimits<double>::make(mesh, {}, 4).value();
@@ -71,6 +84,34 @@ TEST(LatticeLimits, HaveTheSameBitsOnAnyNumberOfThreads) {
     limits.evaluate(mesh.positions(), shared, shared_normals, 3);
     EXPECT_EQ(alone, shared);
     EXPECT_EQ(alone_normals, shared_normals);
+}
+
+template <class Real>
+void expect_the_same_bits_without_avx2() {
+    const TriangleMesh mesh = tests::load_model(tests::model_path("cow-creased")).mesh;
+    const auto control = convert_points<Real>(mesh.positions());
+    for (int level = 1; level <= 4; ++level) {
+        const auto limits = LatticeLimits<Real>::make(mesh, {}, level).value();
+        const auto evaluator = LatticeEvaluator<Real>::make(mesh, {}, level).value();
+        const auto refiner = LatticeRefiner::make(mesh, {}, level).value();
+        std::array<std::array<Points<Real>, 4>, 2> made;
+        for (const bool allowed : {false, true}) {
+            allow_avx2(allowed);
+            auto& [refined, again, positions, normals] = made[allowed];
+            for (auto& points : made[allowed])
+                points.resize(static_cast<std::size_t>(limits.order().vertex_count()));
+            refiner.template refine<Real>(control, refined);
+            evaluator.refine(control, again);
+            limits.evaluate(control, positions, normals);
+        }
+        EXPECT_EQ(made[0], made[1]) << level;
+    }
+}
+
+TEST(LatticeKernels, HaveTheSameBitsWithoutAvx2) {
+    fmt::print("{}\n", lattice_instructions());
+    expect_the_same_bits_without_avx2<double>();
+    expect_the_same_bits_without_avx2<float>();
 }
 
 }  // namespace

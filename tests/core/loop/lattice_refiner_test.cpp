@@ -8,6 +8,7 @@
 #include "core/loop/lattice/split_order.h"
 #include "core/loop/refine.h"
 #include "tests/support/models.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/same_bits.h"
 
 namespace loopcheck::core {
@@ -98,6 +99,23 @@ TEST_P(LatticeOfEveryModel, HasTheFacesOfRefine) {
 
 INSTANTIATE_TEST_SUITE_P(Models, LatticeOfEveryModel, testing::ValuesIn(tests::model_files()),
                          tests::model_test_name);
+
+TEST(LatticeRefiner, HasTheBitsOfRefineOnRandomMeshes) {
+    tests::Random random(7);
+    for (int trial = 0; trial < 40; ++trial) {
+        const TriangleMesh mesh = tests::random_mesh(random, trial % 3 != 0);
+        const SchemeOptions options = tests::random_options(random);
+        ASSERT_NO_FATAL_FAILURE(expect_same_bits<double>(mesh, options, tests::levels_up_to(4))) << trial;
+        ASSERT_NO_FATAL_FAILURE(expect_same_bits<float>(mesh, options, tests::levels_up_to(3))) << trial;
+    }
+}
+
+TEST(LatticeRefiner, HasTheBitsOfRefineAtValence1000) {
+    tests::Random random(8);
+    const auto mesh = TriangleMesh::make(tests::bipyramid(1000, random)).value();
+    expect_same_bits<double>(mesh, {}, 3);
+    expect_same_bits<float>(mesh, {}, 3);
+}
 
 TEST(LatticeOrder, GivesEveryVertexOneAddress) {
     const TriangleMesh mesh = tests::load_model(tests::model_path("cow")).mesh;
