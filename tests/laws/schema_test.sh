@@ -38,6 +38,7 @@ for shard in 0 1; do
     report "shard-$shard" 2 suite "$source/models/fan-2.obj" "$source"/models/reject/{no-such-edge,repeated-vertex}.obj --levels 1 --shard "$shard/2"
 done
 report shard-empty 0 suite "$source/models/fan-2.obj" --levels 1 --shard 7/8
+report merge 2 merge "$folder"/shard-[01].json
 
 # The validator must be able to say no.
 sed 's/"exit_code": 0/"exit_code": 7/' "$folder/identical.json" >"$folder/bad.txt"
