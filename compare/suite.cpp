@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <future>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,9 +18,6 @@
 
 namespace loopcheck::compare {
 namespace {
-
-constexpr std::array kBoundaryRules{core::BoundaryRule::EdgeAndCorner, core::BoundaryRule::EdgeOnly,
-                                    core::BoundaryRule::None};
 
 struct Case {
     std::string name;
@@ -82,11 +79,26 @@ std::vector<std::filesystem::path> without_repetition(std::span<const std::files
     return out;
 }
 
-// The file name of a model, or its path where another model has the same file name.
-std::string name_among(const std::vector<std::filesystem::path>& models, const std::filesystem::path& model) {
-    const auto same = std::count_if(models.begin(), models.end(),
-                                    [&](const auto& other) { return other.filename() == model.filename(); });
-    return same == 1 ? model.filename().string() : model.string();
+// The file name of each model, or its path where another model has the same file name.
+std::vector<std::string> names_of(std::span<const std::filesystem::path> models) {
+    std::map<std::filesystem::path, int> count;
+    for (const auto& model : models) ++count[model.filename()];
+    std::vector<std::string> out;
+    for (const auto& model : models)
+        out.push_back(count[model.filename()] == 1 ? model.filename().string() : model.string());
+    return out;
+}
+
+std::vector<CorpusModel> corpus_of(std::span<const std::filesystem::path> models,
+                                   std::span<const std::string> names) {
+    std::vector<CorpusModel> out;
+    for (std::size_t m = 0; m < models.size(); ++m) out.push_back({names[m], fingerprint(models[m])});
+    return out;
+}
+
+// On another machine the same file may be read and fit.
+bool depends_on_machine(core::ErrorCode code) {
+    return code == core::ErrorCode::CannotRead || code == core::ErrorCode::OutOfMemory;
 }
 
 double bytes_per_vertex(std::span<const Subject> subjects, const core::SchemeOptions& rules,
@@ -149,15 +161,22 @@ core::Result<std::vector<std::filesystem::path>> find_models(const std::filesyst
 SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<const Subject> subjects,
                       const SuiteOptions& options, const SuiteProgress& progress) {
     const auto models = without_repetition(paths);
+    const auto names = names_of(models);
+    const Shard shard = options.shard.value_or(Shard{});
     SuiteResult result;
-    result.models = models.size();
     result.levels = options.levels;
 
     std::vector<std::unique_ptr<LoadedModel>> loaded;
     std::vector<Case> cases;
-    for (const auto& path : models) {
-        const std::string name = name_among(models, path);
-        auto model = load_model(path, options.triangulate);
+    std::size_t owned = 0;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        std::vector<core::BoundaryRule> boundaries;
+        for (std::size_t b = 0; b < kSuiteBoundaries.size(); ++b)
+            if (shard.has(m, b)) boundaries.push_back(kSuiteBoundaries[b]);
+        if (boundaries.empty()) continue;
+        owned += boundaries.size();
+        ++result.models;
+        auto model = load_model(models[m], options.triangulate);
         std::optional<core::Error> error;
         if (!model)
             error = model.error();
@@ -168,15 +187,18 @@ SuiteResult run_suite(std::span<const std::filesystem::path> paths, std::span<co
                                  options, model->mesh),
                 options.memory_limit / options.jobs);
         if (error) {
-            result.unreadable.push_back({name, *error});
+            if (shard.has(m, 0) || depends_on_machine(error->code))
+                result.unreadable.push_back({names[m], *error});
             continue;
         }
         loaded.push_back(std::make_unique<LoadedModel>(std::move(*model)));
-        for (const auto boundary : kBoundaryRules)
+        for (const auto boundary : boundaries)
             cases.push_back(
-                {name, loaded.back().get(),
+                {names[m], loaded.back().get(),
                  options_for_model(loaded.back()->model, boundary, std::nullopt, core::Weights::Loop)});
     }
+    if (options.shard)
+        result.shard = {shard, owned, options.scope, options.triangulate, corpus_of(models, names)};
 
     std::vector<CaseResult> outcomes(cases.size());
     std::atomic<std::size_t> next = 0;

@@ -14,7 +14,7 @@ build_packages=(g++ cmake ninja-build libosd-dev libopenmesh-dev libglm-dev libf
                 nlohmann-json3-dev libcli11-dev zlib1g-dev libtbb-dev libgtest-dev libbenchmark-dev)
 # npm bundles the page of --html.  A node that is no package of Debian's brings its own.
 type -P npm >/dev/null || build_packages+=(nodejs npm)
-test_packages=(clang-format python3 python3-jsonschema chromium)
+test_packages=(clang-format python3 python3-jsonschema chromium parallel)
 
 say() { printf '%s\n' "$*" >&2; }
 stop() { say "$*"; exit 4; }

@@ -216,10 +216,10 @@ int run(const std::vector<std::string>& arguments, std::span<const Subject> subj
         "\n"
         "Exit codes: 0 agree, 1 differ, 2 bad usage or unreadable input, 3 a subject failed or cannot do "
         "it.");
-    const std::vector<Command> commands{add_compare(program),  add_curve(program),      add_grid(program),
-                                        add_suite(program),    add_refine(program),     add_limit(program),
-                                        add_atlas(program),    add_deviations(program), add_explain(program),
-                                        add_stencils(program), add_subjects(program)};
+    const std::vector<Command> commands{add_compare(program), add_curve(program),    add_grid(program),
+                                        add_suite(program),   add_merge(program),    add_refine(program),
+                                        add_limit(program),   add_atlas(program),    add_deviations(program),
+                                        add_explain(program), add_stencils(program), add_subjects(program)};
     try {
         program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {

@@ -38,6 +38,7 @@ Command add_compare(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_grid(CLI::App& program);
 Command add_suite(CLI::App& program);
+Command add_merge(CLI::App& program);
 Command add_refine(CLI::App& program);
 Command add_deviations(CLI::App& program);
 Command add_explain(CLI::App& program);

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <memory>
 
 #include "compare/cli/command.h"
 #include "compare/report/html/report_page.h"
+#include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -16,10 +18,21 @@ struct SuiteFlags {
     std::vector<std::string> paths{"models"};
     WorkFlags work;
     HtmlFlags html;
-    std::string json, junit;
+    std::string json, junit, shard;
     int jobs = 1;
     bool no_limit = false;
 };
+
+// i/n, with 0 <= i < n.
+std::optional<Shard> parse_shard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    const auto index = core::parse_integer(text.substr(0, slash)),
+               of = core::parse_integer(text.substr(slash + 1));
+    if (!index || !of || *index < 0 || *index >= *of || *of > std::numeric_limits<int>::max())
+        return std::nullopt;
+    return Shard{static_cast<int>(*index), static_cast<int>(*of)};
+}
 
 int run_suite_command(const Context& context, const SuiteFlags& flags) {
     if (!flags.html.check(context)) return kExitUsage;
@@ -52,7 +65,7 @@ int run_suite_command(const Context& context, const SuiteFlags& flags) {
         result = run_suite(models, context.subjects,
                            {flags.work.levels, flags.jobs, flags.work.triangulate,
                             flags.no_limit ? Scope::Refinement : Scope::Limits, flags.work.memory_limit(),
-                            flags.html.wanted() ? flags.html.vertices : 0},
+                            flags.html.wanted() ? flags.html.vertices : 0, parse_shard(flags.shard)},
                            [&](std::size_t done, std::size_t of, const std::string& model) {
                                progress.show(fmt::format("[{}/{}] {}", done, of, model));
                            });
@@ -83,6 +96,13 @@ Command add_suite(CLI::App& program) {
         ->capture_default_str()
         ->check(CLI::Range(1, 1024));
     command->add_flag("--no-limit", flags->no_limit, "compare refinements only, not limits");
+    command
+        ->add_option("--shard", flags->shard,
+                     "i/n, i from 0: compare every n-th case only; merge puts the JSON reports together")
+        ->check([](const std::string& text) {
+            return parse_shard(text) ? std::string()
+                                     : text + " is no shard: the first of four is 0/4, the last 3/4";
+        });
     command->add_option("--json", flags->json, "write the report as JSON");
     command->add_option("--junit", flags->junit, "write the report as JUnit XML");
     flags->html.add_to(*command, 1000);

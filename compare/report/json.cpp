@@ -1,5 +1,7 @@
 #include "compare/report/json.h"
 
+#include <fmt/format.h>
+
 #include "compare/limit/words.h"
 #include "compare/report/document.h"
 #include "compare/report/report.h"
@@ -177,6 +179,28 @@ Json json_of(const LimitComparison& limits, const Comparison& c, Detail detail) 
     return out;
 }
 
+std::string hexadecimal(std::uint32_t crc32) {
+    return fmt::format("{:08x}", crc32);
+}
+
+Json json_of(const ShardOfSuite& part, int levels) {
+    Json out{{"index", part.shard.index},
+             {"of", part.shard.of},
+             {"cases", part.cases},
+             {"levels", levels},
+             {"limits", part.scope == Scope::Limits},
+             {"triangulate", part.triangulate},
+             {"corpus", Json::array()},
+             {"checksum", ""}};
+    for (const CorpusModel& model : part.corpus) {
+        Json& entry = out["corpus"].emplace_back(Json{{"model", model.name}});
+        if (model.fingerprint)
+            entry.update(
+                {{"bytes", model.fingerprint->bytes}, {"crc32", hexadecimal(model.fingerprint->crc32)}});
+    }
+    return out;
+}
+
 }  // namespace
 
 Json json_of(const Comparison& c, const std::optional<LimitComparison>& limits, Detail detail) {
@@ -222,17 +246,32 @@ std::string comparisons_as_json(std::span<const ModelReport> reports, std::span<
     return dump(out);
 }
 
-std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> subjects) {
+nlohmann::ordered_json suite_document(const SuiteResult& suite, std::span<const Subject> subjects,
+                                      Json comparisons) {
     Json out = document("suite", subjects, suite.exit_code());
+    if (suite.shard) out["shard"] = json_of(*suite.shard, suite.levels);
     out["summary"] = suite_summary(suite);
     out["unreadable"] = Json::array();
     for (const UnreadableModel& bad : suite.unreadable) out["unreadable"].push_back(json_of(bad));
-    out["comparisons"] = Json::array();
+    out["comparisons"] = std::move(comparisons);
+    return out;
+}
+
+void seal(Json& report) {
+    std::string& checksum = report["shard"]["checksum"].get_ref<std::string&>();
+    checksum.clear();
+    checksum = hexadecimal(crc32_of(dump_compact(report)));
+}
+
+std::string suite_as_json(const SuiteResult& suite, std::span<const Subject> subjects) {
+    Json comparisons = Json::array();
     for (const SuiteRow& row : suite.rows) {
         Json entry{{"model", row.model}};
         entry.update(json_of(row.comparison, row.limits, Detail::Levels));
-        out["comparisons"].push_back(std::move(entry));
+        comparisons.push_back(std::move(entry));
     }
+    Json out = suite_document(suite, subjects, std::move(comparisons));
+    if (suite.shard) seal(out);
     return dump(out);
 }
 

@@ -24,5 +24,11 @@ nlohmann::ordered_json json_of(const Comparison& comparison, const std::optional
 nlohmann::ordered_json json_of(const UnreadableModel& bad);
 nlohmann::ordered_json json_of(const SurfaceComparison& comparison);
 nlohmann::ordered_json json_of(const CurveReport& report);
+/// The report of a suite; `comparisons` is the array of its rows.
+nlohmann::ordered_json suite_document(const SuiteResult& suite, std::span<const Subject> subjects,
+                                      nlohmann::ordered_json comparisons);
+
+/// Writes into the report of a shard the checksum of all the rest of it.  Requires that it has one.
+void seal(nlohmann::ordered_json& report);
 
 }  // namespace loopcheck::compare

@@ -134,6 +134,11 @@ std::string outcomes_as_table(const SuiteResult& suite, std::span<const Subject>
     return by_model.empty() ? std::string() : table(rows) + "\n";
 }
 
+std::string shard_in_words(const ShardOfSuite& part) {
+    return fmt::format("; shard {}/{} of {}{}", part.shard.index, part.shard.of,
+                       counted(part.corpus.size(), "model"), part.cases == 0 ? " is empty" : "");
+}
+
 }  // namespace
 
 ModelReport make_report(std::string model, const core::TriangleMesh& mesh, Comparison comparison,
@@ -193,14 +198,15 @@ std::string counted(std::size_t n, std::string_view noun) {
 
 std::string summary_in_words(const SuiteResult& suite, int exit_code) {
     const std::size_t limits = suite.limit_rows();
-    return fmt::format("{}: {}{} of {}, levels 0 to {}: {}{}", exit_code == 0 ? "agree" : "FAIL",
+    return fmt::format("{}: {}{} of {}, levels 0 to {}: {}{}{}", exit_code == 0 ? "agree" : "FAIL",
                        counted(suite.rows.size(), "comparison"),
                        limits > 0 ? fmt::format(" and {} of limits", limits) : "",
                        counted(suite.models, "model"), suite.levels,
                        verdicts_in_words([&](Verdict verdict) { return suite.count(verdict); }),
                        suite.unreadable.empty()
                            ? ""
-                           : fmt::format(", {} not compared", counted(suite.unreadable.size(), "model")));
+                           : fmt::format(", {} not compared", counted(suite.unreadable.size(), "model")),
+                       suite.shard ? shard_in_words(*suite.shard) : "");
 }
 
 std::string suite_summary(const SuiteResult& suite) {

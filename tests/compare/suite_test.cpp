@@ -13,11 +13,18 @@ namespace {
 
 using test::model_path;
 
+SuiteResult run(const std::vector<std::string>& models, std::span<const Subject> subjects,
+                const SuiteOptions& options) {
+    const std::vector<std::filesystem::path> paths(models.begin(), models.end());
+    return run_suite(paths, subjects, options, [](auto, auto, const auto&) {});
+}
+
 SuiteResult run(const std::vector<std::string>& models, std::span<const Subject> subjects, int jobs = 1) {
-    std::vector<std::filesystem::path> paths;
-    for (const std::string& model : models) paths.emplace_back(model);
-    return run_suite(paths, subjects, {.levels = 2, .jobs = jobs, .memory_limit = 1e10},
-                     [](auto, auto, const auto&) {});
+    return run(models, subjects, {.levels = 2, .jobs = jobs, .memory_limit = 1e10});
+}
+
+std::string reject_path(const std::string& name) {
+    return std::string(LOOPCHECK_MODELS_DIR) + "/reject/" + name + ".obj";
 }
 
 TEST(Suite, ComparesEveryModelUnderEveryBoundaryOptionWithEveryPeer) {
@@ -102,8 +109,7 @@ TEST(Suite, FailsWhenASubjectFailsButNotWhenItCannotDoAModel) {
 
 TEST(Suite, GoesOnAfterAModelThatCannotBeRead) {
     const auto subjects = built_in_subjects();
-    const auto result =
-        run({std::string(LOOPCHECK_MODELS_DIR) + "/reject/repeated-vertex.obj", model_path("cow")}, subjects);
+    const auto result = run({reject_path("repeated-vertex"), model_path("cow")}, subjects);
     ASSERT_EQ(result.unreadable.size(), 1U);
     EXPECT_EQ(result.unreadable[0].error.code, core::ErrorCode::RepeatedVertex);
     EXPECT_EQ(result.unreadable[0].error.place.kind, core::Place::Kind::Line);
@@ -132,6 +138,69 @@ TEST(Suite, RefusesAModelThatDoesNotFit) {
         run_suite(models, subjects, {.levels = 9, .memory_limit = 1e9}, [](auto, auto, const auto&) {});
     ASSERT_EQ(result.unreadable.size(), 1U);
     EXPECT_EQ(result.unreadable[0].error.code, core::ErrorCode::OutOfMemory);
+}
+
+TEST(Shards, HaveEveryCaseAndEveryUnreadableModelOnce) {
+    const auto subjects = built_in_subjects();
+    const std::vector<std::string> models{reject_path("repeated-vertex"), model_path("fan-1"),
+                                          model_path("tetrahedron"), reject_path("not-finite-inf"),
+                                          model_path("crease-loop")};
+    const auto rows_of = [](const SuiteResult& result) {
+        std::vector<std::string> out;
+        for (const SuiteRow& row : result.rows)
+            out.push_back(row.model + " " + std::string(core::name(row.comparison.options.boundary)) + " " +
+                          row.comparison.reference);
+        for (const UnreadableModel& bad : result.unreadable) out.push_back(bad.model);
+        std::sort(out.begin(), out.end());
+        return out;
+    };
+    const auto part = [&](int i, int n, int jobs) {
+        return run(models, subjects,
+                   {.levels = 0,
+                    .jobs = jobs,
+                    .scope = Scope::Refinement,
+                    .memory_limit = 1e10,
+                    .shard = Shard{i, n}});
+    };
+    const auto whole = rows_of(part(0, 1, 1));
+    for (const int n : {2, 3, 4, 7, 15, 16}) {
+        std::vector<std::string> all;
+        std::size_t least = 15, most = 0, cases = 0;
+        for (int i = 0; i < n; ++i) {
+            const auto result = part(i, n, 1);
+            EXPECT_EQ(suite_as_json(result, subjects), suite_as_json(part(i, n, 3), subjects));
+            const auto rows = rows_of(result);
+            all.insert(all.end(), rows.begin(), rows.end());
+            least = std::min(least, result.shard->cases);
+            most = std::max(most, result.shard->cases);
+            cases += result.shard->cases;
+        }
+        std::sort(all.begin(), all.end());
+        EXPECT_EQ(all, whole) << n << " shards";
+        EXPECT_EQ(cases, 15U);
+        EXPECT_LE(most - least, 1U) << "balanced";
+    }
+}
+
+TEST(Shards, MayBeEmptyAndSaySo) {
+    const auto subjects = built_in_subjects();
+    const auto result =
+        run({model_path("cow")}, subjects, {.levels = 1, .memory_limit = 1e10, .shard = Shard{3, 4}});
+    EXPECT_EQ(result.exit_code(), 0);
+    EXPECT_NE(suite_summary(result).find("; shard 3/4 of 1 model is empty"), std::string::npos);
+    const auto other =
+        run({model_path("fan-1")}, subjects, {.levels = 1, .memory_limit = 1e10, .shard = Shard{2, 4}});
+    EXPECT_TRUE(suite_summary(other).ends_with("; shard 2/4 of 1 model")) << suite_summary(other);
+}
+
+TEST(Shards, FailWhereTheirMachineCannotDoAModel) {
+    const auto subjects = built_in_subjects();
+    for (int i = 0; i < 3; ++i) {
+        const auto result =
+            run({model_path("cow")}, subjects, {.levels = 5, .memory_limit = 1e6, .shard = Shard{i, 3}});
+        EXPECT_EQ(result.exit_code(), 2) << i;
+        EXPECT_EQ(run({"/no/such/file.obj"}, subjects, {.shard = Shard{i, 3}}).exit_code(), 2) << i;
+    }
 }
 
 TEST(FindModels, TakesModelFilesSortedAndNoSubfolders) {

@@ -34,6 +34,11 @@ report curve 0 curve "$source/models/curves/lab.txt" --levels 2 --compare opensu
 report grid 0 grid "$source/models/grids/ring-7x4.txt" --columns 4 --closed-u --levels 2
 report curve-clamped 3 curve "$source/models/curves/lab.txt" --ends clamped --levels 2 --compare opensubdiv --tolerance 0.01
 report suite-unreadable 2 suite "$source/models/reject/repeated-vertex.obj"
+for shard in 0 1; do
+    report "shard-$shard" 2 suite "$source/models/fan-2.obj" "$source"/models/reject/{no-such-edge,repeated-vertex}.obj --levels 1 --shard "$shard/2"
+done
+report shard-empty 0 suite "$source/models/fan-2.obj" --levels 1 --shard 7/8
+report merge 2 merge "$folder"/shard-[01].json
 
 # The validator must be able to say no.
 sed 's/"exit_code": 0/"exit_code": 7/' "$folder/identical.json" >"$folder/bad.txt"
