@@ -23,11 +23,12 @@ LatticeLimits<Real>::LatticeLimits(LatticeRefiner refiner)
     const Topology& t = refiner_.topology();
     const Masks& regular = *masks_of_star(Star{6, false, false, {}});
     regular_ = {regular.position.front(), regular.position.back(), regular.tangent2[1]};
+    const SchemeLevel control = control_level(*refiner_.mesh_, refiner_.options_.boundary);
     of_vertex_.resize(static_cast<std::size_t>(t.vertex_count));
-    for (Index v = 0; v < t.vertex_count; ++v) find_vertex_masks(v);
+    for (Index v = 0; v < t.vertex_count; ++v) find_vertex_masks(control, v);
     of_edge_.resize(static_cast<std::size_t>(t.edge_count()));
     if (refiner_.order().level() > 0)
-        for (Index e = 0; e < t.edge_count(); ++e) find_edge_masks(e);
+        for (Index e = 0; e < t.edge_count(); ++e) find_edge_masks(control, e);
 }
 
 template <class Real>
@@ -56,7 +57,7 @@ const LimitWeights<Real>* LatticeLimits<Real>::masks_of_star(const Star& star) {
 }
 
 template <class Real>
-void LatticeLimits<Real>::find_vertex_masks(Index v) {
+void LatticeLimits<Real>::find_vertex_masks(const SchemeLevel& control, Index v) {
     const Topology& t = refiner_.topology();
     const LatticeSharpness& sharpness = refiner_.sharpness_[refiner_.order().level()];
     const auto ring = t.ring(v);
@@ -67,17 +68,17 @@ void LatticeLimits<Real>::find_vertex_masks(Index v) {
         if (is_sharp(s)) star.sharp.push_back(static_cast<int>(i));
         is_settled &= !is_semi_sharp(s);
     }
-    of_vertex_[v] = is_settled
-                        ? masks_of_star(star)
-                        : &semi_sharp_vertices_.emplace(v, semi_sharp_masks({v})).first->second.front();
+    of_vertex_[v] =
+        is_settled ? masks_of_star(star)
+                   : &semi_sharp_vertices_.emplace(v, semi_sharp_masks(control, {v})).first->second.front();
 }
 
 template <class Real>
-void LatticeLimits<Real>::find_edge_masks(Index e) {
+void LatticeLimits<Real>::find_edge_masks(const SchemeLevel& control, Index e) {
     const Topology& t = refiner_.topology();
     const LatticeSharpness& sharpness = refiner_.sharpness_[refiner_.order().level()];
     if (!sharpness.is_even(e) || is_semi_sharp(sharpness.of_segment(e, 0))) {
-        semi_sharp_edges_.emplace(e, semi_sharp_masks({t.edge_ends[e][0], t.edge_ends[e][1]}));
+        semi_sharp_edges_.emplace(e, semi_sharp_masks(control, {t.edge_ends[e][0], t.edge_ends[e][1]}));
         return;
     }
     const bool open = t.is_boundary_edge(e);
@@ -88,7 +89,8 @@ void LatticeLimits<Real>::find_edge_masks(Index e) {
 
 // Of points on one edge, or of one vertex: what lies around them passes through the levels by itself.
 template <class Real>
-std::vector<LimitWeights<Real>> LatticeLimits<Real>::semi_sharp_masks(std::vector<Index> points) const {
+std::vector<LimitWeights<Real>> LatticeLimits<Real>::semi_sharp_masks(const SchemeLevel& control,
+                                                                      std::vector<Index> points) const {
     const SchemeOptions& options = refiner_.options_;
     const auto part_around = [&](const SchemeLevel& level) {
         SubLevel part = sublevel_around(level.topology, level.sharpness,
@@ -96,7 +98,7 @@ std::vector<LimitWeights<Real>> LatticeLimits<Real>::semi_sharp_masks(std::vecto
         std::copy_n(part.kept.begin(), points.size(), points.begin());
         return part;
     };
-    SubLevel part = part_around(control_level(*refiner_.mesh_, options.boundary));
+    SubLevel part = part_around(control);
     for (int l = 0; l < refiner_.order().level(); ++l) {
         const Topology& t = part.level.topology;
         std::vector<Index> next{points.front()};

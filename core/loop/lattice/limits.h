@@ -39,9 +39,9 @@ class LatticeLimits {
 
     static Masks first_sector(const LimitMasks<Real>& masks);
     const Masks* masks_of_star(const Star& star);
-    void find_vertex_masks(Index v);
-    void find_edge_masks(Index e);
-    std::vector<Masks> semi_sharp_masks(std::vector<Index> points) const;
+    void find_vertex_masks(const SchemeLevel& control, Index v);
+    void find_edge_masks(const SchemeLevel& control, Index e);
+    std::vector<Masks> semi_sharp_masks(const SchemeLevel& control, std::vector<Index> points) const;
 
     LatticeRefiner refiner_;
     LatticePattern pattern_;
