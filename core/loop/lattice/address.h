@@ -56,6 +56,11 @@ class LatticeOrder {
     std::int64_t vertices_, edges_, faces_, inside_;
 };
 
+/// Number of (i, j) in the closed lattice of a face, row by row: 0 <= i, 0 <= j, i + j <= N.
+constexpr std::int64_t lattice_place(Index segments, Index i, Index j) {
+    return std::int64_t{j} * (segments + 1) - std::int64_t{j} * (j - 1) / 2 + i;
+}
+
 /// A lattice triangle of a face: upright with corners (i, j), (i + 1, j), (i, j + 1), or inverted with
 /// corners (i + 1, j + 1), (i, j + 1), (i + 1, j), in the order in which `split` has them.
 struct LatticeTriangle {
