@@ -128,6 +128,16 @@ TEST(MemoryEstimate, CoversLimits) {
                   5);
 }
 
+// What is allowed is used, and no more.
+TEST(MemoryEstimate, CoversBlocksOfBits) {
+    constexpr double kGib = 1024.0 * 1024 * 1024;
+    for (const auto& [memory, jobs] : {std::pair{0.12, 1}, {0.2, 2}})
+        expect_covers(memory * kGib,
+                      {"compare", model_path("cow"), "--bits", "--levels", "6", "--memory",
+                       std::to_string(memory), "--jobs", std::to_string(jobs)},
+                      1);
+}
+
 TEST(MemoryEstimate, CoversAnHtmlReport) {
     if (!why_no_page().empty()) GTEST_SKIP() << why_no_page();
     const auto mesh = model_mesh("cow");

@@ -25,6 +25,7 @@ report refine 0 refine "$source/models/cow.obj" --levels 1 -o "$folder/out.obj"
 report refine-adaptive 0 refine "$source/models/cow.obj" --levels 2 --adaptive -o "$folder/out.obj"
 report refine-tolerance 0 refine "$source/models/torus.obj" --tolerance 0.05 --uniform --crease-angle 60 -o "$folder/out.obj"
 report compare-adaptive 0 compare "$source/models/cow.obj" --levels 2 --adaptive
+report bits 1 compare "$source/models/icosahedron.obj" "$source/models/cow.obj" --levels 2 --bits --weights warren --crease-angle 60
 report suite 0 suite "$source/models/chaikin-overweight.obj" "$source/models/fan-2.obj" --levels 2
 report atlas 0 atlas --levels 2
 report limit 0 limit "$source/models/icosahedron.obj" --method bfr --samples 8
