@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <deque>
@@ -22,7 +21,6 @@ namespace loopcheck::compare {
 namespace {
 
 using core::Index;
-using core::LatticeAddress;
 
 template <class Real>
 constexpr core::Precision kPrecision =
@@ -30,17 +28,6 @@ constexpr core::Precision kPrecision =
 
 std::size_t closed_size(Index segments) {
     return static_cast<std::size_t>(core::lattice_place(segments, 0, segments)) + 1;
-}
-
-// The point at corner c, and those of edge c, k segments from there.
-std::array<Index, 2> on_edge(Index segments, int c, Index k) {
-    const std::array<std::array<Index, 2>, 3> place{{{k, 0}, {segments - k, k}, {0, segments - k}}};
-    return place[c];
-}
-
-LatticeAddress address_at(const core::Topology& t, Index f, Index segments, Index i, Index j) {
-    const core::LatticeOrder order(t, std::countr_zero(static_cast<std::uint32_t>(segments)));
-    return order.address_of(order.vertex_at(t, f, i, j));
 }
 
 // What was found in one block.
@@ -96,9 +83,9 @@ class FaceComparison {
         const core::Topology& t = task_.mesh.topology();
         for (int c = 0; c < 3; ++c) {
             const Index v = t.triangles[f][c];
-            if (task_.first_face[v] == f) compare_point(on_edge(n, c, 0));
+            if (task_.first_face[v] == f) compare_point(core::on_face_edge(n, c, 0));
             if (t.edge_faces[t.face_edges[f][c]][0] != f) continue;
-            for (Index k = 1; k < n; ++k) compare_point(on_edge(n, c, k));
+            for (Index k = 1; k < n; ++k) compare_point(core::on_face_edge(n, c, k));
         }
         if (found.identical - identical_before != found.vertices - vertices_before) ++found.faces_that_differ;
     }
@@ -134,9 +121,10 @@ class FaceComparison {
         const double error = largest(glm::abs(ours - theirs));
         if (found.worst && !(error > found.worst->error)) return;
         const core::Topology& t = task_.mesh.topology();
-        const LatticeAddress address = address_at(t, face_, task_.segments(), i, j);
-        found.worst = {face_, address, core::SplitOrder(t, task_.pattern.level()).vertex(address),
-                       error, ours,    theirs};
+        const core::LatticeOrder order(t, task_.pattern.level());
+        const core::LatticeAddress address = order.address_of(order.vertex_at(t, face_, i, j));
+        const std::int64_t vertex = core::SplitOrder(t, task_.pattern.level()).vertex(address);
+        found.worst = BitDifference{face_, address, vertex, error, ours, theirs};
     }
 
     const Task& task_;

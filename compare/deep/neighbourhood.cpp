@@ -11,17 +11,14 @@ namespace {
 
 using core::Index;
 
-// Calls visit(v) for the vertices of f, and under Chaikin's rule for those at the other end of semi-sharp
-// edges; perhaps more than once.
+// Calls visit(v) for a vertex v of the block, and under Chaikin's rule for those at the other end of its
+// semi-sharp edges.
 template <class Visit>
-void for_each_kept(const core::TriangleMesh& mesh, core::Creasing creasing, Index f, Visit visit) {
-    const core::Topology& t = mesh.topology();
-    for (const Index v : t.triangles[f]) {
-        visit(v);
-        if (creasing == core::Creasing::Uniform) continue;
-        for (const Index e : t.ring(v))
-            if (core::is_semi_sharp(mesh.edge_sharpness()[e])) visit(t.other_end(e, v));
-    }
+void for_each_kept(const core::TriangleMesh& mesh, core::Creasing creasing, Index v, Visit visit) {
+    visit(v);
+    if (creasing == core::Creasing::Uniform) return;
+    for (const Index e : mesh.topology().ring(v))
+        if (core::is_semi_sharp(mesh.edge_sharpness()[e])) visit(mesh.topology().other_end(e, v));
 }
 
 // The face to the left of edge e as it leads out of v, or kNone: the first face runs along e.
@@ -123,9 +120,11 @@ class Extraction {
 }  // namespace
 
 Neighbourhood neighbourhood_of(const core::TriangleMesh& mesh, core::Creasing creasing, FaceBlock block) {
-    std::vector<Index> kept;
+    std::vector<Index> own, kept;
     for (Index f = block.first; f < block.last; ++f)
-        for_each_kept(mesh, creasing, f, [&](Index v) { kept.push_back(v); });
+        for (const Index v : mesh.topology().triangles[f]) own.push_back(v);
+    sort_uniquely(own);
+    for (const Index v : own) for_each_kept(mesh, creasing, v, [&](Index other) { kept.push_back(other); });
     sort_uniquely(kept);
     std::vector<Index> faces;
     for (const Index v : kept)
@@ -144,7 +143,8 @@ Neighbourhood neighbourhood_of(const core::TriangleMesh& mesh, core::Creasing cr
 GrowingBlock::GrowingBlock(const core::TriangleMesh& mesh, core::Creasing creasing)
     : mesh_(mesh),
       creasing_(creasing),
-      vertex_(static_cast<std::size_t>(mesh.vertex_count()), 0),
+      own_(static_cast<std::size_t>(mesh.vertex_count()), 0),
+      kept_(own_),
       edge_(static_cast<std::size_t>(mesh.topology().edge_count()), 0),
       face_(static_cast<std::size_t>(mesh.face_count()), 0) {
     restart();
@@ -160,15 +160,17 @@ void GrowingBlock::add(Index f) {
     const core::Topology& t = mesh_.topology();
     const auto is_new = [&](Index& counted_by) { return std::exchange(counted_by, block_) != block_; };
     ++size_;
-    for_each_kept(mesh_, creasing_, f, [&](Index v) {
-        if (!is_new(vertex_[v])) return;
+    const auto keep = [&](Index v) {
+        if (!is_new(kept_[v])) return;
         for (const Index out : t.ring(v)) {
             const Index g = face_left_of(t, out, v);
             if (g == core::kNone || !is_new(face_[g])) continue;
             ++faces_;
             for (const Index e : t.face_edges[g]) edges_ += is_new(edge_[e]) ? 1 : 0;
         }
-    });
+    };
+    for (const Index v : t.triangles[f])
+        if (is_new(own_[v])) for_each_kept(mesh_, creasing_, v, keep);
 }
 
 }  // namespace loopcheck::compare

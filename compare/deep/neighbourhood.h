@@ -40,15 +40,15 @@ struct FaceBlock {
 ///
 /// What is not right outside: edges that have lost a face become a boundary, and so infinitely sharp; no such
 /// edge ends at a kept vertex.  Where the faces left around another vertex form several fans, each fan gets a
-/// copy of it, or the mesh would not be manifold.  Only such vertices change their rule, and the vertex point
-/// of none is near the block: in the closed faces of level 1 that touch the block, they do not occur.
+/// copy of it, or the mesh would not be manifold.  So only vertices that are not kept change their rule, and
+/// their vertex points are not among those points of level 1.
 struct Neighbourhood {
     core::TriangleMesh mesh;
     core::Index first = 0;  ///< the face of `mesh` that is the first of the block; the others follow
 };
 Neighbourhood neighbourhood_of(const core::TriangleMesh& mesh, core::Creasing creasing, FaceBlock block);
 
-/// Counts the faces and edges of the neighbourhood of a growing block.
+/// Counts, each once, the faces and edges of the neighbourhood of a growing block.
 class GrowingBlock {
   public:
     GrowingBlock(const core::TriangleMesh& mesh, core::Creasing creasing);
@@ -65,7 +65,7 @@ class GrowingBlock {
     const core::TriangleMesh& mesh_;
     core::Creasing creasing_;
     // The number of the block that counted it last.
-    std::vector<core::Index> vertex_, edge_, face_;
+    std::vector<core::Index> own_, kept_, edge_, face_;
     core::Index block_ = 0, size_ = 0;
     std::int64_t faces_ = 0, edges_ = 0;
 };

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "compare/memory.h"
 #include "core/loop/lattice/refiner.h"

@@ -77,11 +77,8 @@ void SplitNumbers::of_face(Index f, std::span<Index> numbers) const {
         const Index e = topology_.face_edges[f][c];
         const bool along = topology_.edge_faces[e][0] == f;
         for (Index k = 1; k < n; ++k) {
-            const Index from_corner = along ? k : n - k;
-            const std::array<std::array<Index, 2>, 3> place{
-                {{from_corner, 0}, {n - from_corner, from_corner}, {0, n - from_corner}}};
-            at(place[c][0], place[c][1]) =
-                edge_[trailing_zeros(k)].at(e) + pattern_.edge_[k - std::size_t{1}];
+            const auto [i, j] = on_face_edge(n, c, along ? k : n - k);
+            at(i, j) = edge_[trailing_zeros(k)].at(e) + pattern_.edge_[k - std::size_t{1}];
         }
     }
     const auto& corners = topology_.triangles[f];
