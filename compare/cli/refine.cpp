@@ -115,8 +115,9 @@ std::optional<Refined> refine_uniformly(const Context& context, const RefineFlag
         context.err << "--order lattice is an order of ours.\n";
         return std::nullopt;
     }
-    const double bytes =
-        is_ours ? kWrittenStraightBytesPerVertex : subject.bytes_per_vertex + kWrittenBytesPerVertex;
+    const double bytes = is_ours ? kWrittenStraightBytesPerVertex + kControlBytesPerFace * mesh.face_count() /
+                                                                        level_size(mesh, levels).vertices
+                                 : subject.bytes_per_vertex + kWrittenBytesPerVertex;
     if (const auto error = check_memory(mesh, levels, bytes, flags.work.memory_limit())) {
         complain(context, flags.model, *error);
         return std::nullopt;

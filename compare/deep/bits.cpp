@@ -278,13 +278,12 @@ core::Result<std::vector<FaceBlock>> divide_into_blocks(const core::TriangleMesh
         }
         if (!fits()) {
             const std::string what = fmt::format(
-                "Level {}: face {} with the {} faces around it has {:.3g} vertices, beside what is held of "
-                "all "
-                "faces,",
+                "Level {}: beside what is held of all faces, face {} with the {} faces around it has {:.3g} "
+                "vertices",
                 level, f, growing.faces() - 1, vertices());
             if (auto error = check_memory(what, fixed + limits.jobs * bytes(), limits.memory))
                 return tl::unexpected(std::move(*error));
-            return core::fail(core::ErrorCode::TooLarge, what + " and more faces than can be numbered.");
+            return core::fail(core::ErrorCode::TooLarge, what + " and too many faces to be numbered.");
         }
         blocks.push_back({f, f + 1});
     }

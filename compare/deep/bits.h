@@ -17,10 +17,9 @@
 
 namespace loopcheck::compare {
 
-/// Peak memory of OpenSubdiv's refinement of a block, in bytes per vertex of the last level; of the control
-/// mesh with what ours prepares, in bytes per face; and of the program.  A test measures them.
+/// Peak memory of OpenSubdiv's refinement of a block, in bytes per vertex of the last level, and of the
+/// program. A test measures them.
 inline constexpr double kBlockBytesPerVertex = 290;
-inline constexpr double kControlBytesPerFace = 300;
 inline constexpr double kProgramBytes = 1e7;
 
 /// A vertex whose bits differ.

@@ -171,6 +171,18 @@ TEST(MemoryEstimate, CoversWritingAMesh) {
     }
 }
 
+// Where most of it is the control mesh.
+TEST(MemoryEstimate, CoversWritingALargeMeshAgain) {
+    const std::string large = testing::TempDir() + "memory-large.ply";
+    ASSERT_EQ(test::loopcheck({"refine", model_path("cow"), "-o", large, "--binary", "--levels", "4"}).code,
+              0);
+    const LevelSize control = level_size(model_mesh("cow"), 4), refined = level_size(model_mesh("cow"), 5);
+    for (const auto& [levels, vertices] : {std::pair{"0", control.vertices}, {"1", refined.vertices}})
+        expect_covers(
+            kWrittenStraightBytesPerVertex * vertices + kControlBytesPerFace * control.faces,
+            {"refine", large, "-o", testing::TempDir() + "memory.ply", "--binary", "--levels", levels}, 1);
+}
+
 TEST(MemoryEstimate, CoversAdaptiveRefinement) {
     const auto mesh = model_mesh("cow");
     constexpr int kLevels = 5;
