@@ -9,6 +9,7 @@
 #include <deque>
 #include <future>
 #include <glm/common.hpp>
+#include <string>
 #include <utility>
 
 #include "compare/memory.h"

@@ -1,6 +1,7 @@
 // Reports of comparisons of bits alone.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 

@@ -1,7 +1,10 @@
 // What `refine` writes, straight from the control mesh.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "core/mesh/io/atomic_file.h"
 #include "core/mesh/io/model.h"

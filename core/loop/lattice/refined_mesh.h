@@ -1,6 +1,8 @@
 // The last level as a mesh to write, straight from the control mesh.
 #pragma once
 
+#include <cstdint>
+
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/options.h"
