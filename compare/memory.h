@@ -19,6 +19,12 @@ LevelSize level_size(const core::TriangleMesh& mesh, int level);
 /// Peak memory of writing a mesh, in bytes per vertex.  A test measures it.
 inline constexpr double kWrittenBytesPerVertex = 150;
 
+/// Peak memory of refining straight to a level and of writing it, in bytes per vertex.  A test measures it.
+inline constexpr double kWrittenStraightBytesPerVertex = 240;
+
+/// Memory of a control mesh with what refining straight to a level prepares, in bytes per face.
+inline constexpr double kControlBytesPerFace = 350;
+
 /// Peak memory of a tessellation within a tolerance, of measuring and of writing it, in bytes per triangle.
 /// A test measures it.
 inline constexpr double kTessellationBytesPerTriangle = 1100;

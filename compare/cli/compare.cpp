@@ -8,6 +8,7 @@
 #include "compare/cli/adaptive_flags.h"
 #include "compare/memory.h"
 #include "compare/referee.h"
+#include "compare/report/bits.h"
 #include "compare/report/html/mesh_case.h"
 #include "compare/report/html/report_page.h"
 #include "compare/report/refinement.h"
@@ -25,8 +26,11 @@ struct CompareFlags {
     AdaptiveFlags adaptive;
     HtmlFlags html;
     std::string json, csv, ply;
-    int top = 1;
-    bool limit = false;
+    int top = 1, jobs = 1;
+    bool limit = false, bits = false;
+
+    /// Whether something is wanted that takes all vertices of all levels.
+    bool wants_vertices() const { return limit || !csv.empty() || !ply.empty() || html.wanted(); }
 };
 
 // What the per-vertex reports have gathered so far.
@@ -160,6 +164,74 @@ int run_adaptive(const Context& context, const CompareFlags& flags, const Subjec
     return exit_code(report.comparison.verdict);
 }
 
+// The command that judges this model by the exact rules, at the deepest level that memory allows.
+std::string next_command(const CompareFlags& flags, const std::string& path, const LoadedModel& model,
+                         const core::SchemeOptions& options, const Subject& a, const Subject& b) {
+    const std::array both{&a, &b};
+    int levels = flags.work.levels;
+    while (levels > 1 && check_memory(model.mesh, levels, referee_bytes_per_vertex(both, options),
+                                      flags.work.memory_limit()))
+        --levels;
+    std::string out =
+        fmt::format("loopcheck compare {} --subject {} --with {} --levels {}", path, a.name, b.name, levels);
+    if (!flags.rules.boundary.empty()) out += " --boundary " + flags.rules.boundary;
+    if (!flags.rules.creasing.empty()) out += " --creasing " + flags.rules.creasing;
+    if (flags.rules.weights != "loop") out += " --weights " + flags.rules.weights;
+    if (flags.mesh.crease_angle) out += fmt::format(" --crease-angle {}", *flags.mesh.crease_angle);
+    if (flags.work.triangulate) out += " --triangulate";
+    return out;
+}
+
+core::Result<BitReport> compare_bits_of(const Context& context, const CompareFlags& flags,
+                                        const std::string& path, LoadedModel& model, const Subject& a,
+                                        const Subject& b) {
+    const auto creases = flags.mesh.apply_to(model.mesh);
+    const core::SchemeOptions options = flags.rules.for_model(model.model);
+    const BlockLimits limits{flags.work.memory_limit(), flags.jobs,
+                             (model.mesh.face_count() - 1) / flags.jobs + 1};
+    Progress progress(context);
+    progress.show(fmt::format("{}: dividing {} faces", path, model.mesh.face_count()));
+    auto comparison = compare_bits(model.mesh, options, a.precision, flags.work.levels, limits,
+                                   [&](std::size_t done, std::size_t of) {
+                                       progress.show(fmt::format("{}: block {} of {}", path, done, of));
+                                   });
+    if (!comparison) return tl::unexpected(comparison.error());
+    BitReport out{path, creases, *comparison, {}};
+    if (comparison->verdict() != Verdict::Identical)
+        out.next = next_command(flags, path, model, options, a, b);
+    return out;
+}
+
+// The bits of the last level of ours and OpenSubdiv's.
+int run_bits(const Context& context, const CompareFlags& flags, const Subject& a, const Subject& b) {
+    if (a.family != "ours" || b.family != "opensubdiv" || a.precision != b.precision) {
+        context.err << "--bits compares ours with opensubdiv, in one precision.\n";
+        return kExitUsage;
+    }
+    int code = 0;
+    std::vector<BitReport> reports;
+    for (const std::string& path : flags.models) {
+        auto model = load_or_complain(context, path, flags.work.triangulate);
+        if (!model) {
+            code = worse_exit_code(code, kExitUsage);
+            continue;
+        }
+        auto report = compare_bits_of(context, flags, path, *model, a, b);
+        if (!report) {
+            complain(context, path, report.error());
+            code = worse_exit_code(code, exit_code_of(report.error()));
+            continue;
+        }
+        code = worse_exit_code(code, exit_code(report->comparison.verdict()));
+        context.out << (reports.empty() ? "" : "\n") << bits_as_text(*report, a, b);
+        reports.push_back(std::move(*report));
+    }
+    if (!flags.json.empty() &&
+        !write_or_complain(context, flags.json, bits_as_json(reports, context.subjects, code)))
+        return kExitUsage;
+    return code;
+}
+
 int run_compare(const Context& context, const CompareFlags& flags) {
     if (!flags.html.check(context)) return kExitUsage;
     const Subject* a = find_or_complain(context, flags.subject, flags.precision);
@@ -178,12 +250,18 @@ int run_compare(const Context& context, const CompareFlags& flags) {
     const std::array outputs{flags.json, flags.csv, flags.ply, flags.html.path};
     if (outputs_clash(context, outputs, flags.models)) return kExitUsage;
     if (flags.adaptive.on) {
-        if (flags.models.size() > 1 || flags.limit || !flags.csv.empty() || !flags.ply.empty() ||
-            flags.html.wanted()) {
+        if (flags.models.size() > 1 || flags.wants_vertices()) {
             context.err << "--adaptive takes one model, and goes without --limit, --csv, --ply and --html.\n";
             return kExitUsage;
         }
         return run_adaptive(context, flags, *a, *b);
+    }
+    if (flags.bits) {
+        if (flags.wants_vertices()) {
+            context.err << "--bits goes without --limit, --csv, --ply and --html.\n";
+            return kExitUsage;
+        }
+        return run_bits(context, flags, *a, *b);
     }
     int code = 0;
     VertexReports vertices;
@@ -241,6 +319,15 @@ Command add_compare(CLI::App& program) {
     flags->mesh.add_to(*command);
     flags->work.add_to(*command);
     flags->adaptive.add_to(*command);
+    CLI::Option* bits = command
+                            ->add_flag("--bits", flags->bits,
+                                       "the bits of the last level only, in blocks of faces and without the "
+                                       "exact rules: for what does not fit into memory at once")
+                            ->excludes("--adaptive");
+    command->add_option("--jobs", flags->jobs, "blocks compared at the same time")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024))
+        ->needs(bits);
     command->add_flag("--limit", flags->limit,
                       "compare the limits of all vertices too: positions and normals");
     command->add_option("--json", flags->json, "write the report as JSON");

@@ -11,6 +11,7 @@
 #include "compare/memory.h"
 #include "compare/report/refinement.h"
 #include "core/loop/evaluate.h"
+#include "core/loop/lattice/refined_mesh.h"
 #include "core/loop/refine.h"
 #include "core/loop/tessellation/lattice.h"
 #include "core/loop/tessellation/tessellate.h"
@@ -19,7 +20,7 @@ namespace loopcheck::compare {
 namespace {
 
 struct RefineFlags {
-    std::string model, output, scheme = "ours", precision = "double", json;
+    std::string model, output, scheme = "ours", precision = "double", order = "opensubdiv", json;
     RuleFlags rules;
     MeshFlags mesh;
     AdaptiveFlags adaptive;
@@ -49,13 +50,19 @@ void add_tags(core::Model& out, const core::SchemeLevel& level, core::BoundaryRu
     }
 }
 
-core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
-                     const core::RefinedLevel& last) {
+// What the file says of the rules.
+core::Model model_under(const core::TriangleMesh& mesh, const core::SchemeOptions& options) {
     core::Model out;
     const auto& faces = mesh.topology().edge_faces;
     if (std::any_of(faces.begin(), faces.end(), [](const auto& pair) { return pair[1] == core::kNone; }))
         out.boundary = options.boundary;
     if (options.creasing == core::Creasing::Chaikin) out.creasing = options.creasing;
+    return out;
+}
+
+core::Model model_of(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
+                     const core::RefinedLevel& last) {
+    core::Model out = model_under(mesh, options);
     out.data.positions = last.positions;
     for (const core::Triangle& triangle : last.triangles) out.data.add_face(triangle);
     return out;
@@ -67,12 +74,50 @@ bool is_tagged(const core::TriangleMesh& mesh) {
            std::any_of(mesh.vertex_sharpness().begin(), mesh.vertex_sharpness().end(), is_sharp);
 }
 
+// All levels of a subject, of which the last is written.
+core::Result<core::Model> refine_by_levels(const Subject& subject, const core::TriangleMesh& mesh,
+                                           const core::SchemeOptions& options, int levels) {
+    const auto refined = subject.refine(mesh, options, levels);
+    if (!refined) return tl::unexpected(refined.error());
+    core::Model out = model_of(mesh, options, refined->levels.back());
+    if (is_tagged(mesh)) {
+        core::SchemeLevel level = core::control_level(mesh, options.boundary);
+        for (int l = 0; l < levels; ++l) level = core::next_level(level, options).value().child;
+        add_tags(out, level, options.boundary);
+    }
+    const core::Index children = core::Index{1} << (2 * levels);
+    for (core::Index f = 0; f < mesh.face_count(); ++f)
+        for (core::Index k = 0; mesh.holes()[f] && k < children; ++k)
+            out.data.holes.push_back(f * children + k);
+    return out;
+}
+
+// Ours without the levels before the last.
+core::Result<core::Model> refine_straight(const RefineFlags& flags, core::Precision precision,
+                                          const core::TriangleMesh& mesh,
+                                          const core::SchemeOptions& options) {
+    auto data =
+        core::refined_mesh(mesh, options, precision, flags.work.levels,
+                           flags.order == "lattice" ? core::LevelOrder::Lattice : core::LevelOrder::Split);
+    if (!data) return tl::unexpected(data.error());
+    core::Model out = model_under(mesh, options);
+    out.data = std::move(*data);
+    return out;
+}
+
 std::optional<Refined> refine_uniformly(const Context& context, const RefineFlags& flags,
                                         const Subject& subject, const core::TriangleMesh& mesh,
                                         const core::SchemeOptions& options, int& code) {
     code = kExitUsage;
     const int levels = flags.work.levels;
-    const double bytes = subject.bytes_per_vertex + kWrittenBytesPerVertex;
+    const bool is_ours = subject.family == "ours";
+    if (flags.order == "lattice" && !is_ours) {
+        context.err << "--order lattice is an order of ours.\n";
+        return std::nullopt;
+    }
+    const double bytes = is_ours ? kWrittenStraightBytesPerVertex + kControlBytesPerFace * mesh.face_count() /
+                                                                        level_size(mesh, levels).vertices
+                                 : subject.bytes_per_vertex + kWrittenBytesPerVertex;
     if (const auto error = check_memory(mesh, levels, bytes, flags.work.memory_limit())) {
         complain(context, flags.model, *error);
         return std::nullopt;
@@ -82,31 +127,24 @@ std::optional<Refined> refine_uniformly(const Context& context, const RefineFlag
         context.err << fmt::format("{} has Loop's weights only.\n", subject.name);
         return std::nullopt;
     }
-    const auto refined = [&] {
+    auto refined = [&] {
         Progress progress(context);
         progress.show(fmt::format("{}: refining {} levels", flags.model, levels));
-        return subject.refine(mesh, options, levels);
+        return is_ours ? refine_straight(flags, subject.precision, mesh, options)
+                       : refine_by_levels(subject, mesh, options, levels);
     }();
     if (!refined) {
         complain(context, flags.model, refined.error());
         code = exit_code_of(refined.error());
         return std::nullopt;
     }
-    Refined out{model_of(mesh, options, refined->levels.back()), {}};
-    if (is_tagged(mesh)) {
-        core::SchemeLevel level = core::control_level(mesh, options.boundary);
-        for (int l = 0; l < levels; ++l) level = core::next_level(level, options).value().child;
-        add_tags(out.model, level, options.boundary);
-    }
-    const core::Index children = core::Index{1} << (2 * levels);
-    for (core::Index f = 0; f < mesh.face_count(); ++f)
-        for (core::Index k = 0; mesh.holes()[f] && k < children; ++k)
-            out.model.data.holes.push_back(f * children + k);
+    Refined out{std::move(*refined), {}};
+    if (flags.order == "lattice") out.report.order = flags.order;
     for (int l = 0; l <= levels; ++l) {
-        const core::RefinedLevel& level = refined->levels[static_cast<std::size_t>(l)];
-        out.report.levels.push_back({.vertices = level.positions.size(),
-                                     .faces = level.triangles.size(),
-                                     .uniform_faces = level_size(mesh, l).faces});
+        const LevelSize size = level_size(mesh, l);
+        out.report.levels.push_back({.vertices = static_cast<std::size_t>(size.vertices),
+                                     .faces = static_cast<std::size_t>(size.faces),
+                                     .uniform_faces = size.faces});
     }
     return out;
 }
@@ -224,10 +262,11 @@ int run_refine(const Context& context, const RefineFlags& flags) {
     int code = 0;
     auto refined = refine(context, flags, *subject, loaded->mesh, options, code);
     if (!refined) return code;
-    const std::string how = flags.tolerance ? fmt::format("within {} of its limit surface", *flags.tolerance)
-                            : flags.adaptive.on
-                                ? fmt::format("{} levels, {}", flags.work.levels, flags.adaptive.in_words())
-                                : fmt::format("{} levels", flags.work.levels);
+    const std::string how =
+        flags.tolerance     ? fmt::format("within {} of its limit surface", *flags.tolerance)
+        : flags.adaptive.on ? fmt::format("{} levels, {}", flags.work.levels, flags.adaptive.in_words())
+                            : fmt::format("{} levels{}", flags.work.levels,
+                                          flags.order == "lattice" ? ", in the order of the lattice," : "");
     refined->model.description =
         fmt::format("{} refined {} by {} {}", flags.model, how, subject->name, subject->version);
     RefinementReport& report = refined->report;
@@ -267,6 +306,13 @@ Command add_refine(CLI::App& program) {
                           ->check(check_positive)
                           ->excludes("--levels")
                           ->excludes("--adaptive");
+    command
+        ->add_option("--order", flags->order,
+                     "the order of vertices and faces: opensubdiv, or lattice, by their place on the model")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"opensubdiv", "lattice"}))
+        ->excludes("--adaptive")
+        ->excludes("--tolerance");
     command->add_flag("--uniform", flags->uniform, "also find the first uniform level within the tolerance")
         ->needs(tolerance);
     command->add_option("--json", flags->json, "write the report as JSON");

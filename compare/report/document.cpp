@@ -1,5 +1,7 @@
 #include "compare/report/document.h"
 
+#include "core/mesh/io/number.h"
+
 namespace loopcheck::compare {
 
 nlohmann::ordered_json document(std::string_view command, std::span<const Subject> subjects, int exit_code) {
@@ -11,6 +13,11 @@ nlohmann::ordered_json document(std::string_view command, std::span<const Subjec
                                    {"version", subject.version},
                                    {"precision", core::name(subject.precision)}});
     return out;
+}
+
+nlohmann::ordered_json position_json(const glm::dvec3& p) {
+    return {{"decimal", {p.x, p.y, p.z}},
+            {"hex", {core::hexfloat(p.x), core::hexfloat(p.y), core::hexfloat(p.z)}}};
 }
 
 std::string dump(const nlohmann::ordered_json& json) {

@@ -6,7 +6,6 @@
 #include "compare/report/document.h"
 #include "compare/report/report.h"
 #include "compare/words.h"
-#include "core/mesh/io/number.h"
 
 namespace loopcheck::compare {
 namespace {
@@ -36,11 +35,6 @@ Json json_of(const ClassStats& stats, const Comparison& c) {
     return out;
 }
 
-Json json_of(const glm::dvec3& p) {
-    return {{"decimal", {p.x, p.y, p.z}},
-            {"hex", {core::hexfloat(p.x), core::hexfloat(p.y), core::hexfloat(p.z)}}};
-}
-
 Json json_of(const VertexRecord& r) {
     Json out{{"vertex", r.vertex},
              {"subject_vertex", r.subject_vertex},
@@ -52,9 +46,9 @@ Json json_of(const VertexRecord& r) {
              {"reference_error", r.reference_error},
              {"bound", r.bound},
              {"bound_use", r.bound_use},
-             {"subject", json_of(r.subject)},
-             {"reference", json_of(r.reference)},
-             {"exact", json_of(r.exact)}};
+             {"subject", position_json(r.subject)},
+             {"reference", position_json(r.reference)},
+             {"exact", position_json(r.exact)}};
     if (r.level > 0) {
         const bool vertex = r.ancestor.kind == core::Ancestor::Kind::Vertex;
         out["ancestor"] = vertex ? Json{{"vertex", r.ancestor.index}}
@@ -145,9 +139,9 @@ Json json_of(const LimitRecord& r) {
                      {"reference_error", in_degrees(n.reference_error)},
                      {"bound", in_degrees(n.bound)},
                      {"bound_use", n.bound_use},
-                     {"subject", json_of(n.subject)},
-                     {"reference", json_of(n.reference)},
-                     {"exact", json_of(n.exact)}};
+                     {"subject", position_json(n.subject)},
+                     {"reference", position_json(n.reference)},
+                     {"exact", position_json(n.exact)}};
     return out;
 }
 

@@ -145,6 +145,7 @@ std::string refinement_as_json(const RefinementReport& report, std::span<const S
     Json refinement{
         {"output", report.output}, {"scheme", report.scheme}, {"precision", core::name(report.precision)}};
     add_creases(refinement, report.creases);
+    if (!report.order.empty()) refinement["order"] = report.order;
     if (!report.rule.empty()) refinement["rule"] = report.rule;
     if (report.tolerance) {
         refinement["vertices"] = report.levels.back().vertices;

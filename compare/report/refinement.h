@@ -36,6 +36,7 @@ struct RefinementReport {
     std::string scheme;  ///< name of the subject that refined
     core::Precision precision = core::Precision::Double;
     std::optional<CreaseTags> creases = {};  ///< what --crease-angle tagged
+    std::string order;                       ///< of what was written, where it is not that of `split`
     std::string rule;                        ///< adaptive: which faces are subdivided, in words; else empty
     /// Adaptive: without classes; else only the sizes.  With a tolerance one entry: what was written.
     std::vector<AdaptiveLevelResult> levels;

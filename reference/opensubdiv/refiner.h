@@ -20,6 +20,7 @@
 #include "core/mesh/options.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/triangle_mesh.h"
+#include "reference/opensubdiv/value.h"
 
 namespace loopcheck::reference::internal {
 
@@ -76,19 +77,6 @@ core::Result<RefinerPtr> make_refiner(const core::TriangleMesh& mesh, const core
 ///
 /// Errors   SubjectFailed.
 core::Result<RefinerPtr> refined_uniformly(const Far::TopologyRefiner& base, int levels);
-
-/// The interface PrimvarRefinerReal asks of a value.
-template <class Real>
-struct Value {
-    Real x, y, z;
-
-    void Clear() { x = y = z = 0; }
-    void AddWithWeight(const Value& other, Real weight) {
-        x += weight * other.x;
-        y += weight * other.y;
-        z += weight * other.z;
-    }
-};
 
 /// The control positions, rounded to Real.
 template <class Real>

@@ -153,6 +153,16 @@ TEST(MemoryEstimate, CoversLimits) {
                   5);
 }
 
+// What is allowed is used, and no more.
+TEST(MemoryEstimate, CoversBlocksOfBits) {
+    constexpr double kGib = 1024.0 * 1024 * 1024;
+    for (const auto& [memory, jobs] : {std::pair{0.12, 1}, {0.2, 2}})
+        expect_covers(memory * kGib,
+                      {"compare", model_path("cow"), "--bits", "--levels", "6", "--memory",
+                       std::to_string(memory), "--jobs", std::to_string(jobs)},
+                      1);
+}
+
 TEST(MemoryEstimate, CoversAnHtmlReport) {
     if (!why_no_page().empty()) GTEST_SKIP() << why_no_page();
     const auto mesh = model_mesh("cow");
@@ -178,11 +188,24 @@ TEST(MemoryEstimate, CoversWritingAMesh) {
     const auto mesh = model_mesh("cow");
     for (const auto& subject : built_in_subjects()) {
         if (subject.precision == core::Precision::Float) continue;
-        expect_covers(subject.bytes_per_vertex + kWrittenBytesPerVertex,
+        expect_covers(subject.family == "ours" ? kWrittenStraightBytesPerVertex
+                                               : subject.bytes_per_vertex + kWrittenBytesPerVertex,
                       {"refine", model_path("cow"), "-o", testing::TempDir() + "memory.obj", "--levels", "5",
                        "--scheme", subject.name},
                       mesh, 5);
     }
+}
+
+// Where most of it is the control mesh.
+TEST(MemoryEstimate, CoversWritingALargeMeshAgain) {
+    const std::string large = testing::TempDir() + "memory-large.ply";
+    ASSERT_EQ(test::loopcheck({"refine", model_path("cow"), "-o", large, "--binary", "--levels", "4"}).code,
+              0);
+    const LevelSize control = level_size(model_mesh("cow"), 4), refined = level_size(model_mesh("cow"), 5);
+    for (const auto& [levels, vertices] : {std::pair{"0", control.vertices}, {"1", refined.vertices}})
+        expect_covers(
+            kWrittenStraightBytesPerVertex * vertices + kControlBytesPerFace * control.faces,
+            {"refine", large, "-o", testing::TempDir() + "memory.ply", "--binary", "--levels", levels}, 1);
 }
 
 TEST(MemoryEstimate, CoversAdaptiveRefinement) {

@@ -22,9 +22,11 @@ report unreadable 2 compare "$source/models/reject/repeated-vertex.obj"
 report limits 0 compare "$source/models/dart-valence-06.obj" "$source/models/fan-7.obj" --levels 2 --limit --top 3
 report limits-unsupported 3 compare "$source/models/cow.obj" --levels 1 --boundary edge-only --with openmesh --limit
 report refine 0 refine "$source/models/cow.obj" --levels 1 -o "$folder/out.obj"
+report refine-lattice 0 refine "$source/models/cow.obj" --levels 1 --order lattice -o "$folder/out.obj"
 report refine-adaptive 0 refine "$source/models/cow.obj" --levels 2 --adaptive -o "$folder/out.obj"
 report refine-tolerance 0 refine "$source/models/torus.obj" --tolerance 0.05 --uniform --crease-angle 60 -o "$folder/out.obj"
 report compare-adaptive 0 compare "$source/models/cow.obj" --levels 2 --adaptive
+report bits 1 compare "$source/models/icosahedron.obj" "$source/models/cow.obj" --levels 2 --bits --weights warren --crease-angle 60
 report suite 0 suite "$source/models/chaikin-overweight.obj" "$source/models/fan-2.obj" --levels 2
 report atlas 0 atlas --levels 2
 report limit 0 limit "$source/models/icosahedron.obj" --method bfr --samples 8

@@ -63,6 +63,17 @@ class LatticeOrder {
     std::int64_t vertices_, edges_, faces_, inside_;
 };
 
+/// Number of (i, j) in the closed lattice of a face, row by row: 0 <= i, 0 <= j, i + j <= N.
+constexpr std::int64_t lattice_place(Index segments, Index i, Index j) {
+    return std::int64_t{j} * (segments + 1) - std::int64_t{j} * (j - 1) / 2 + i;
+}
+
+/// The point of edge c of a face that is k segments from corner c, as (i, j).
+constexpr std::array<Index, 2> on_face_edge(Index segments, int c, Index k) {
+    const std::array<std::array<Index, 2>, 3> place{{{k, 0}, {segments - k, k}, {0, segments - k}}};
+    return place[static_cast<std::size_t>(c)];
+}
+
 /// A lattice triangle of a face: upright with corners (i, j), (i + 1, j), (i, j + 1), or inverted with
 /// corners (i + 1, j + 1), (i, j + 1), (i + 1, j), in the order in which `split` has them.
 struct LatticeTriangle {

@@ -104,7 +104,8 @@ void LatticeRefiner::refine_by_face(std::span<const Point<Real>> control, FaceRa
     Patch<Real> patch(t, pattern_, level);
     Points<Real> packed(closed_size(n));
     std::vector<Index> corners, edges, around;
-    const Index block = grain(std::int64_t{n} * n);
+    // So many faces at once that few fans and strips are run again for the next.
+    const Index block = std::max<Index>(1, (Index{1} << 15) / n / n);
     for (Index begin = faces.first; begin < faces.last; begin += block) {
         const Index end = std::min(faces.last, begin + block);
         corners.clear(), edges.clear(), around.clear();

@@ -20,6 +20,8 @@ class SplitOrder {
     SplitOrder(const Topology& topology, int level);
 
     std::int64_t vertex(const LatticeAddress& address) const;
+    /// Number of segment q of edge e, counted from its end 0.
+    std::int64_t edge(Index e, Index q) const { return edge_of_edge(e, level_, q); }
     /// Number of a triangle of control face f.
     std::int64_t face(Index f, const LatticeTriangle& triangle) const {
         return face_of_level(f, level_, triangle);

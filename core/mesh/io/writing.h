@@ -30,8 +30,12 @@ inline void append_corners(std::string& text, std::span<const Index> corners, lo
     for (const Index corner : corners) fmt::format_to(std::back_inserter(text), " {}", first + corner);
 }
 
-/// Appends a line "`keyword`x y z" for every vertex.
+/// Appends a line "`keyword`x y z" for every vertex, after making room for these and for the faces: a text
+/// that grows step by step is there twice.
 inline void append_vertices(std::string& text, std::string_view keyword, const MeshData& data) {
+    constexpr std::size_t kMostOfNumber = 25, kMostOfIndex = 11;  // with a blank before
+    text.reserve(text.size() + data.positions.size() * (keyword.size() + 3 * kMostOfNumber) +
+                 (data.face_sizes.size() + data.face_corners.size()) * kMostOfIndex);
     for (const glm::dvec3& position : data.positions) {
         text += keyword;
         append_position(text, position);
