@@ -24,7 +24,9 @@ struct QuadOf<double> {
     using Type [[gnu::vector_size(32)]] = double;
 };
 
-/// Three coordinates, and one that means nothing, in a register.
+/// Three coordinates, and one that means nothing, in a register.  Whatever has one as a result, or as an
+/// argument by value, must be inlined where kernels use it: with AVX and without, it is passed in different
+/// ways.
 template <class Real>
 using Quad = typename QuadOf<Real>::Type;
 
@@ -33,7 +35,7 @@ inline constexpr int kPacked = 3, kPadded = 4;
 
 /// Four reals from `at`: a packed point and the real that follows it.
 template <class Real>
-inline Quad<Real> load_quad(const Real* at) {
+[[gnu::always_inline]] inline Quad<Real> load_quad(const Real* at) {
     Quad<Real> q;
     std::memcpy(&q, at, sizeof q);
     return q;
@@ -41,13 +43,13 @@ inline Quad<Real> load_quad(const Real* at) {
 
 /// Four reals to `at`: the real after a packed point is overwritten.
 template <class Real>
-inline void store_quad(const Quad<Real>& q, Real* at) {
+[[gnu::always_inline]] inline void store_quad(const Quad<Real>& q, Real* at) {
     std::memcpy(at, &q, sizeof q);
 }
 
 /// Three reals to `at`.
 template <class Real>
-inline void store_packed(const Quad<Real>& q, Real* at) {
+[[gnu::always_inline]] inline void store_packed(const Quad<Real>& q, Real* at) {
     std::memcpy(at, &q, kPacked * sizeof(Real));
 }
 
@@ -57,12 +59,12 @@ template <class Real>
 class PaddedPoint {
   public:
     PaddedPoint() = default;
-    PaddedPoint(const Quad<Real>& q) { *this = q; }
-    PaddedPoint& operator=(const Quad<Real>& q) {
+    [[gnu::always_inline]] PaddedPoint(const Quad<Real>& q) { *this = q; }
+    [[gnu::always_inline]] PaddedPoint& operator=(const Quad<Real>& q) {
         store_quad<Real>(q, reals_.data());
         return *this;
     }
-    operator Quad<Real>() const { return load_quad<Real>(reals_.data()); }
+    [[gnu::always_inline]] operator Quad<Real>() const { return load_quad<Real>(reals_.data()); }
 
     operator Point<Real>() const { return {reals_[0], reals_[1], reals_[2]}; }
 
@@ -104,7 +106,7 @@ class PaddedPoints {
 
 /// Point i of `points`.
 template <class Real>
-inline Quad<Real> load_point(std::span<const Point<Real>> points, Index i) {
+[[gnu::always_inline]] inline Quad<Real> load_point(std::span<const Point<Real>> points, Index i) {
     const Point<Real>* p = points.data() + i;
     if (p != &points.back()) return load_quad<Real>(&p->x);
     return Quad<Real>{p->x, p->y, p->z, Real(0)};
