@@ -163,7 +163,7 @@ void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::sp
     });
     if (order().inside_of_face() == 0) return;
     for_ranges(t.face_count(), grain(order().inside_of_face()), threads, [&](Index first, Index last) {
-        Patch<Real> patch(t, pattern_, level);
+        FacePatch<Real> patch(t, pattern_, level);
         const std::size_t row = kPacked * static_cast<std::size_t>(n) + 1;
         Outbox<Real> out(kPacked * positions.size(), row), out_normals(kPacked * normals.size(), row);
         for (Index f = first; f < last; ++f) {

@@ -13,9 +13,9 @@ namespace loopcheck::core {
 
 /// The lattices of a face at levels 0 to `levels`.
 template <class Real>
-class Patch {
+class FacePatch {
   public:
-    Patch(const Topology& topology, const LatticePattern& pattern, int levels)
+    FacePatch(const Topology& topology, const LatticePattern& pattern, int levels)
         : topology_(topology), pattern_(pattern) {
         for (int l = 0; l <= levels; ++l) lattices_.emplace_back(Index{1} << l);
     }

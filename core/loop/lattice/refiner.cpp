@@ -73,7 +73,7 @@ void LatticeRefiner::refine(std::span<const Point<Real>> control, std::span<Poin
     });
     if (order_.inside_of_face() == 0) return;
     for_ranges(t.face_count(), grain(order_.inside_of_face()), threads, [&](Index first, Index last) {
-        Patch<Real> patch(t, pattern_, level - 1);
+        FacePatch<Real> patch(t, pattern_, level - 1);
         const auto rows_at_once =
             std::max<Index>(1, static_cast<Index>(kBlockBytes / sizeof(Point<Real>)) / (2 * n));
         Outbox<Real> out(
@@ -101,7 +101,7 @@ void LatticeRefiner::refine_by_face(std::span<const Point<Real>> control, FaceRa
     EdgePoints<Real> points(level);
     Fan<Real> fan(from);
     Strip<Real> strip(from);
-    Patch<Real> patch(t, pattern_, level);
+    FacePatch<Real> patch(t, pattern_, level);
     Points<Real> packed(closed_size(n));
     std::vector<Index> corners, edges, around;
     // So many faces at once that few fans and strips are run again for the next.
