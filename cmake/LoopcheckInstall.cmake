@@ -8,6 +8,7 @@ install(TARGETS loopcheck_cli loopcheck_core ${libraries} EXPORT loopcheckTarget
 install(DIRECTORY core reference compare DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/loopcheck
         FILES_MATCHING PATTERN *.h
         PATTERN compare/cli/command.h EXCLUDE
+        PATTERN reference/cgal EXCLUDE
         PATTERN reference/openmesh/control.h EXCLUDE
         PATTERN reference/opensubdiv/refiner.h EXCLUDE)
 
