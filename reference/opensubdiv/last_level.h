@@ -1,4 +1,4 @@
-// OpenSubdiv's refinement at its cheapest, to be timed: nothing is kept but positions, in buffers used again.
+// OpenSubdiv's refinement at its cheapest, to be timed: nothing is kept but values, in buffers used again.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,7 +11,12 @@
 
 namespace loopcheck::reference {
 
-/// A mesh that OpenSubdiv has taken over.
+/// How much OpenSubdiv makes of the topology of the last level: the faces only, or all, which a limit needs.
+enum class LastTopology : std::uint8_t { Least, Full };
+
+/// A mesh that OpenSubdiv has taken over, to be refined by Far in float or double.  What OpenSubdiv throws is
+/// thrown.
+template <class Real>
 class OpensubdivLastLevel {
   public:
     /// Errors   Unsupported and SubjectFailed, as `opensubdiv_refine`.
@@ -21,12 +26,23 @@ class OpensubdivLastLevel {
     OpensubdivLastLevel& operator=(OpensubdivLastLevel&&) noexcept;
     ~OpensubdivLastLevel();
 
-    /// RefineUniform with the least topology in the last level, and Interpolate of every level, in double.
-    /// Throws what OpenSubdiv throws.
-    void refine(int level);
+    /// Forgets what was refined; buffers are kept.
+    void clear();
 
-    /// Of the last level that was refined to, in OpenSubdiv's order.
+    /// RefineUniform.
+    void refine_topology(int level, LastTopology last);
+
+    /// Interpolate of every level.
+    void interpolate();
+
+    /// Limit of the last level, with the normals that its tangents make.  Requires its full topology.
+    void limit();
+
+    /// Of the last level, in OpenSubdiv's order.
     std::vector<glm::dvec3> positions() const;
+    std::vector<core::Triangle> faces() const;
+    std::vector<glm::dvec3> limit_positions() const;
+    std::vector<glm::dvec3> limit_normals() const;
 
   private:
     struct State;
@@ -34,5 +50,8 @@ class OpensubdivLastLevel {
 
     std::unique_ptr<State> state_;
 };
+
+extern template class OpensubdivLastLevel<float>;
+extern template class OpensubdivLastLevel<double>;
 
 }  // namespace loopcheck::reference

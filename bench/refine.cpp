@@ -1,0 +1,358 @@
+// What a vertex of a refined mesh costs: ours, OpenSubdiv, OpenMesh and CGAL in one run.  README.md says how
+// to read it.
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "bench/support/meshes.h"
+#include "bench/support/program.h"
+#include "core/loop/lattice/refiner.h"
+#include "core/loop/lattice/split_order.h"
+#include "core/mesh/rounding.h"
+#include "reference/opensubdiv/last_level.h"
+#include "reference/opensubdiv/opensubdiv.h"
+#include "reference/opensubdiv/stencil_table.h"
+#ifdef LOOPCHECK_HAS_OPENMESH
+#include "reference/openmesh/last_level.h"
+#include "reference/openmesh/openmesh.h"
+#endif
+#ifdef LOOPCHECK_HAS_CGAL
+#include "reference/cgal/last_level.h"
+#endif
+
+namespace {
+
+using namespace loopcheck;
+using bench::Case;
+using bench::Run;
+using bench::Subject;
+using core::Index;
+using core::TriangleMesh;
+
+template <class Real>
+constexpr core::Precision kPrecisionOf =
+    std::is_same_v<Real, float> ? core::Precision::Float : core::Precision::Double;
+
+// ---- Ours
+
+// Memory to be written, which is not touched before.
+template <class T>
+class Buffer {
+  public:
+    std::span<T> room_for(std::int64_t size) {
+        const auto count = static_cast<std::size_t>(size);
+        if (count > size_) values_ = std::make_unique_for_overwrite<T[]>(size_ = count);
+        return {values_.get(), count};
+    }
+
+  private:
+    std::unique_ptr<T[]> values_;
+    std::size_t size_ = 0;
+};
+
+// All that is asked of our refinement is asked here.
+template <class Real>
+class Ours {
+  public:
+    Ours(const TriangleMesh& mesh, int level, int threads)
+        : mesh_(mesh),
+          control_(core::convert_points<Real>(mesh.positions())),
+          level_(level),
+          threads_(threads) {}
+
+    void prepare() { refiner_ = core::LatticeRefiner::make(mesh_, {}, level_).value(); }
+    void refine_positions() {
+        positions_ = position_buffer_.room_for(refiner_->order().vertex_count());
+        refiner_->refine<Real>(control_, positions_);
+    }
+    void list_faces() {
+        faces_ = face_buffer_.room_for(refiner_->order().face_count());
+        refiner_->triangles(faces_);
+    }
+    void clear() { refiner_.reset(); }
+
+    std::span<const core::Point<Real>> positions() const { return positions_; }
+    std::span<const core::Triangle> faces() const { return faces_; }
+
+  private:
+    const TriangleMesh& mesh_;
+    core::Points<Real> control_;
+    int level_, threads_;
+    std::optional<core::LatticeRefiner> refiner_;
+    Buffer<core::Point<Real>> position_buffer_;
+    Buffer<core::Triangle> face_buffer_;
+    std::span<core::Point<Real>> positions_;
+    std::span<core::Triangle> faces_;
+};
+
+// ---- What is right
+
+// What OpenSubdiv's Far makes of a mesh; made when it is first asked for.
+template <class Real>
+class Expected {
+  public:
+    explicit Expected(int level) : level_(level) {}
+
+    struct Level {
+        std::vector<glm::dvec3> positions;
+        std::vector<core::Triangle> faces;
+    };
+    const Level& of(const TriangleMesh& mesh) {
+        if (!made_) {
+            auto far = reference::OpensubdivLastLevel<Real>::make(mesh, {}).value();
+            far.refine_topology(level_, reference::LastTopology::Least);
+            far.interpolate();
+            made_ = {far.positions(), far.faces()};
+        }
+        return *made_;
+    }
+    int level() const { return level_; }
+
+  private:
+    int level_;
+    std::optional<Level> made_;
+};
+
+bool same_bits(const auto& a, const glm::dvec3& b) {
+    for (int d = 0; d < 3; ++d)
+        if (std::bit_cast<std::uint64_t>(static_cast<double>(a[d])) != std::bit_cast<std::uint64_t>(b[d]))
+            return false;
+    return true;
+}
+
+// Whether our positions, and the faces where there are any, are OpenSubdiv's, bit for bit.
+template <class Real>
+std::string bits_that_differ(const TriangleMesh& mesh, const Ours<Real>& ours, Expected<Real>& expected) {
+    const auto& [positions, faces] = expected.of(mesh);
+    const core::LatticeOrder order(mesh.topology(), expected.level());
+    const core::SplitOrder split(mesh.topology(), expected.level());
+    if (ours.positions().size() != positions.size())
+        return fmt::format("{} vertices, {} expected", ours.positions().size(), positions.size());
+    std::vector<Index> number_of(positions.size());
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        number_of[v] = static_cast<Index>(split.vertex(order.address_of(static_cast<std::int64_t>(v))));
+        if (!same_bits(ours.positions()[v], positions[number_of[v]]))
+            return fmt::format("vertex {} has other bits than OpenSubdiv's {}", v, number_of[v]);
+    }
+    const std::int64_t per_face = std::int64_t{order.segments()} * order.segments();
+    for (std::size_t t = 0; t < ours.faces().size(); ++t) {
+        const auto triangle = static_cast<std::int64_t>(t);
+        const auto number = split.face(static_cast<Index>(triangle / per_face),
+                                       core::triangle_at(order.segments(), triangle % per_face));
+        core::Triangle renamed = ours.faces()[t];
+        for (Index& v : renamed) v = number_of[v];
+        if (renamed != faces[number]) return fmt::format("face {} is not OpenSubdiv's {}", t, number);
+    }
+    return {};
+}
+
+// How far apart two results in one precision may be, as a share of the largest coordinate: at each level both
+// sum up to 15 terms with weights right to 7 roundings, and a stencil in the end sums up to 64 columns.
+double allowed(int level, core::Precision precision) {
+    return core::rounding_of(64 * (level + 1), precision);
+}
+
+// Where two lists in the same order are too far apart.
+template <class Real>
+std::string distances(const TriangleMesh& mesh, const std::vector<glm::dvec3>& positions,
+                      Expected<Real>& expected) {
+    const auto& theirs = expected.of(mesh).positions;
+    if (positions.size() != theirs.size())
+        return fmt::format("{} vertices, {} expected", positions.size(), theirs.size());
+    const double bound = allowed(expected.level(), kPrecisionOf<Real>) * mesh.largest_coordinate();
+    for (std::size_t v = 0; v < positions.size(); ++v)
+        for (int d = 0; d < 3; ++d)
+            if (!(std::abs(positions[v][d] - theirs[v][d]) <= bound))
+                return fmt::format("vertex {} is too far from OpenSubdiv's", v);
+    return {};
+}
+
+// The same for lists in any order: where a pairing within the bound exists, the sorted values of each
+// coordinate, and of their sum, are pairwise within it too.
+template <class Real>
+std::string distances_in_any_order(const TriangleMesh& mesh, const std::vector<glm::dvec3>& positions,
+                                   Expected<Real>& expected) {
+    const auto& theirs = expected.of(mesh).positions;
+    if (positions.size() != theirs.size())
+        return fmt::format("{} vertices, {} expected", positions.size(), theirs.size());
+    constexpr std::size_t kMostSorted = 1 << 20;
+    if (positions.size() > kMostSorted) return {};  // the same code as at the levels before
+    const double bound = allowed(expected.level(), kPrecisionOf<Real>) * mesh.largest_coordinate();
+    for (const glm::dvec3& direction :
+         {glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}, glm::dvec3{1, 1, 1}}) {
+        const auto sorted = [&](const std::vector<glm::dvec3>& points) {
+            std::vector<double> out;
+            for (const glm::dvec3& p : points)
+                out.push_back(direction.x * p.x + direction.y * p.y + direction.z * p.z);
+            std::sort(out.begin(), out.end());
+            return out;
+        };
+        const auto a = sorted(positions), b = sorted(theirs);
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!(std::abs(a[i] - b[i]) <= 3 * bound)) return "positions are too far from OpenSubdiv's";
+    }
+    return {};
+}
+
+// ---- Subjects
+
+template <class Real>
+using ExpectedPtr = std::shared_ptr<Expected<Real>>;
+
+// Moves what make() returned to where the functions of a run can share it.
+template <class T>
+std::shared_ptr<T> shared(T&& value) {
+    return std::make_shared<T>(std::move(value));
+}
+
+// From a mesh that was taken over to positions and faces; or from new control positions to positions, all
+// else having been prepared.
+enum class Task : std::uint8_t { Total, Positions };
+
+template <class Real>
+Subject ours_by(Task task, int threads, int level, const ExpectedPtr<Real>& expected) {
+    return {"ours", threads, 100, [=](const TriangleMesh& mesh) -> core::Result<Run> {
+                const auto ours = std::make_shared<Ours<Real>>(mesh, level, threads);
+                const auto disagreement = [=, &mesh] { return bits_that_differ(mesh, *ours, *expected); };
+                if (task == Task::Total)
+                    return Run{[=] {
+                                   ours->prepare();
+                                   ours->refine_positions();
+                                   ours->list_faces();
+                               },
+                               [=] { ours->clear(); }, disagreement};
+                ours->prepare();
+                return Run{[=] { ours->refine_positions(); }, [] {}, disagreement};
+            }};
+}
+
+template <class Real>
+Subject far_by(Task task, int level) {
+    return {"opensubdiv-far", 1, 350, [=](const TriangleMesh& mesh) -> core::Result<Run> {
+                auto made = reference::OpensubdivLastLevel<Real>::make(mesh, {});
+                if (!made) return tl::unexpected(made.error());
+                const auto far = shared(std::move(*made));
+                const auto refine_topology = [=] {
+                    far->refine_topology(level, reference::LastTopology::Least);
+                };
+                const auto none = [] { return std::string(); };  // the others are compared with this
+                if (task == Task::Total)
+                    return Run{[=] {
+                                   refine_topology();
+                                   far->interpolate();
+                               },
+                               [=] { far->clear(); }, none};
+                refine_topology();
+                return Run{[=] { far->interpolate(); }, [] {}, none};
+            }};
+}
+
+template <class Real>
+Subject by_stencils(int level, const ExpectedPtr<Real>& expected) {
+    return {"opensubdiv-stencils", 1, 1200, [=](const TriangleMesh& mesh) -> core::Result<Run> {
+                auto made = reference::OpensubdivStencilTable<Real>::make(mesh, {}, level);
+                if (!made) return tl::unexpected(made.error());
+                const auto table = shared(std::move(*made));
+                return Run{[=] { table->update(); }, [] {},
+                           [=, &mesh] { return distances(mesh, table->positions(), *expected); }};
+            }};
+}
+
+// A peer that refines in place.
+template <class Real, class Peer>
+Subject in_place(std::string name, double bytes, int level, const ExpectedPtr<Real>& expected,
+                 core::Result<Peer> (*make)(const TriangleMesh&)) {
+    return {std::move(name), 1, bytes, [=](const TriangleMesh& mesh) -> core::Result<Run> {
+                auto made = make(mesh);
+                if (!made) return tl::unexpected(made.error());
+                const auto peer = shared(std::move(*made));
+                return Run{[=] { peer->refine(level); }, [=] { peer->clear(); },
+                           [=, &mesh] { return distances_in_any_order(mesh, peer->positions(), *expected); }};
+            }};
+}
+
+// ---- Cases
+
+constexpr double kFaceBytes = 2 * sizeof(core::Triangle);  // a vertex has two faces
+
+template <class Real>
+Case total(int sphere, int level) {
+    const auto expected = std::make_shared<Expected<Real>>(level);
+    Case out{"total",
+             kPrecisionOf<Real>,
+             sphere,
+             level,
+             bench::sphere_vertices(sphere, level),
+             3 * sizeof(Real) + kFaceBytes,
+             {}};
+    for (const int threads : {1, 2})
+        out.subjects.push_back(ours_by<Real>(Task::Total, threads, level, expected));
+    out.subjects.push_back(far_by<Real>(Task::Total, level));
+#ifdef LOOPCHECK_HAS_OPENMESH
+    using OpenMesh = reference::OpenmeshLastLevel<Real>;
+    out.subjects.push_back(in_place<Real, OpenMesh>(
+        "openmesh", 500, level, expected, [](const TriangleMesh& mesh) { return OpenMesh::make(mesh, {}); }));
+#endif
+#ifdef LOOPCHECK_HAS_CGAL
+    out.subjects.push_back(in_place<Real, reference::CgalLastLevel<Real>>(
+        "cgal", 400, level, expected, &reference::CgalLastLevel<Real>::make));
+#endif
+    return out;
+}
+
+template <class Real>
+Case positions(int sphere, int level) {
+    const auto expected = std::make_shared<Expected<Real>>(level);
+    Case out{"positions",
+             kPrecisionOf<Real>,
+             sphere,
+             level,
+             bench::sphere_vertices(sphere, level),
+             3 * sizeof(Real),
+             {}};
+    for (const int threads : {1, 2})
+        out.subjects.push_back(ours_by<Real>(Task::Positions, threads, level, expected));
+    out.subjects.push_back(far_by<Real>(Task::Positions, level));
+    out.subjects.push_back(by_stencils<Real>(level, expected));
+    return out;
+}
+
+std::vector<std::pair<int, int>> spheres_and_levels(bench::Extent extent) {
+    switch (extent) {
+        case bench::Extent::Smoke:
+            return {{1, 1}, {2, 3}};
+        case bench::Extent::Quick:
+            return {{5, 1}, {5, 2}, {5, 3}, {5, 4}};
+        case bench::Extent::Full:
+            break;
+    }
+    return {{5, 1}, {5, 2}, {5, 3}, {5, 4}, {5, 5}, {4, 6}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    bench::Program program("loopcheck_bench_refine", "Times uniform refinement: ours beside every peer.",
+                           "vertex");
+    program.add_peer("opensubdiv", reference::opensubdiv_version());
+#ifdef LOOPCHECK_HAS_OPENMESH
+    program.add_peer("openmesh", reference::openmesh_version());
+#endif
+#ifdef LOOPCHECK_HAS_CGAL
+    program.add_peer("cgal", reference::cgal_version());
+#endif
+    if (const auto code = program.parse(argc, argv)) return *code;
+    for (const auto& [sphere, level] : spheres_and_levels(program.extent())) {
+        if (!program.wants_level(level)) continue;
+        program.measure(total<double>(sphere, level));
+        program.measure(positions<double>(sphere, level));
+        if (program.extent() == bench::Extent::Quick) continue;
+        program.measure(total<float>(sphere, level));
+        program.measure(positions<float>(sphere, level));
+    }
+    return program.finish();
+}
