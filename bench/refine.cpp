@@ -2,17 +2,18 @@
 // to read it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "bench/support/agreement.h"
+#include "bench/support/buffer.h"
 #include "bench/support/meshes.h"
 #include "bench/support/program.h"
 #include "core/loop/lattice/refiner.h"
 #include "core/loop/lattice/split_order.h"
-#include "core/mesh/rounding.h"
 #include "reference/opensubdiv/last_level.h"
 #include "reference/opensubdiv/opensubdiv.h"
 #include "reference/opensubdiv/stencil_table.h"
@@ -27,32 +28,15 @@
 namespace {
 
 using namespace loopcheck;
+using bench::Buffer;
 using bench::Case;
+using bench::kPrecisionOf;
 using bench::Run;
 using bench::Subject;
 using core::Index;
 using core::TriangleMesh;
 
-template <class Real>
-constexpr core::Precision kPrecisionOf =
-    std::is_same_v<Real, float> ? core::Precision::Float : core::Precision::Double;
-
 // ---- Ours
-
-// Memory to be written, which is not touched before.
-template <class T>
-class Buffer {
-  public:
-    std::span<T> room_for(std::int64_t size) {
-        const auto count = static_cast<std::size_t>(size);
-        if (count > size_) values_ = std::make_unique_for_overwrite<T[]>(size_ = count);
-        return {values_.get(), count};
-    }
-
-  private:
-    std::unique_ptr<T[]> values_;
-    std::size_t size_ = 0;
-};
 
 // All that is asked of our refinement is asked here.
 template <class Real>
@@ -66,11 +50,11 @@ class Ours {
 
     void prepare() { refiner_ = core::LatticeRefiner::make(mesh_, {}, level_).value(); }
     void refine_positions() {
-        positions_ = position_buffer_.room_for(refiner_->order().vertex_count());
+        positions_ = position_buffer_.room_for(static_cast<std::size_t>(refiner_->order().vertex_count()));
         refiner_->refine<Real>(control_, positions_);
     }
     void list_faces() {
-        faces_ = face_buffer_.room_for(refiner_->order().face_count());
+        faces_ = face_buffer_.room_for(static_cast<std::size_t>(refiner_->order().face_count()));
         refiner_->triangles(faces_);
     }
     void clear() { refiner_.reset(); }
@@ -150,64 +134,30 @@ std::string bits_that_differ(const TriangleMesh& mesh, const Ours<Real>& ours, E
     return {};
 }
 
-// How far apart two results in one precision may be, as a share of the largest coordinate: at each level both
-// sum up to 15 terms with weights right to 7 roundings, and a stencil in the end sums up to 64 columns.
-double allowed(int level, core::Precision precision) {
-    return core::rounding_of(64 * (level + 1), precision);
-}
-
-// Where two lists in the same order are too far apart.
+// How far positions in any order are from OpenSubdiv's: where a pairing within a distance exists, the sorted
+// values of each coordinate are pairwise within it too.
 template <class Real>
-std::string distances(const TriangleMesh& mesh, const std::vector<glm::dvec3>& positions,
-                      Expected<Real>& expected) {
-    const auto& theirs = expected.of(mesh).positions;
-    if (positions.size() != theirs.size())
-        return fmt::format("{} vertices, {} expected", positions.size(), theirs.size());
-    const double bound = allowed(expected.level(), kPrecisionOf<Real>) * mesh.largest_coordinate();
-    for (std::size_t v = 0; v < positions.size(); ++v)
-        for (int d = 0; d < 3; ++d)
-            if (!(std::abs(positions[v][d] - theirs[v][d]) <= bound))
-                return fmt::format("vertex {} is too far from OpenSubdiv's", v);
-    return {};
-}
-
-// The same for lists in any order: where a pairing within the bound exists, the sorted values of each
-// coordinate, and of their sum, are pairwise within it too.
-template <class Real>
-std::string distances_in_any_order(const TriangleMesh& mesh, const std::vector<glm::dvec3>& positions,
+std::string distances_in_any_order(const TriangleMesh& mesh, std::vector<glm::dvec3> positions,
                                    Expected<Real>& expected) {
-    const auto& theirs = expected.of(mesh).positions;
-    if (positions.size() != theirs.size())
-        return fmt::format("{} vertices, {} expected", positions.size(), theirs.size());
+    std::vector<glm::dvec3> theirs = expected.of(mesh).positions;
     constexpr std::size_t kMostSorted = 1 << 20;
-    if (positions.size() > kMostSorted) return {};  // the same code as at the levels before
-    const double bound = allowed(expected.level(), kPrecisionOf<Real>) * mesh.largest_coordinate();
-    for (const glm::dvec3& direction :
-         {glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}, glm::dvec3{1, 1, 1}}) {
-        const auto sorted = [&](const std::vector<glm::dvec3>& points) {
-            std::vector<double> out;
-            for (const glm::dvec3& p : points)
-                out.push_back(direction.x * p.x + direction.y * p.y + direction.z * p.z);
-            std::sort(out.begin(), out.end());
-            return out;
-        };
-        const auto a = sorted(positions), b = sorted(theirs);
-        for (std::size_t i = 0; i < a.size(); ++i)
-            if (!(std::abs(a[i] - b[i]) <= 3 * bound)) return "positions are too far from OpenSubdiv's";
-    }
-    return {};
+    if (positions.size() == theirs.size() && positions.size() > kMostSorted)
+        return {};  // the same code as at the levels before
+    for (auto* points : {&positions, &theirs})
+        for (int d = 0; d < 3; ++d) {
+            std::vector<double> sorted;
+            for (const glm::dvec3& p : *points) sorted.push_back(p[d]);
+            std::sort(sorted.begin(), sorted.end());
+            for (std::size_t i = 0; i < sorted.size(); ++i) (*points)[i][d] = sorted[i];
+        }
+    return bench::distances("sorted coordinates", positions, theirs,
+                            bench::allowed_distance(mesh, expected.level(), kPrecisionOf<Real>));
 }
 
 // ---- Subjects
 
 template <class Real>
 using ExpectedPtr = std::shared_ptr<Expected<Real>>;
-
-// Moves what make() returned to where the functions of a run can share it.
-template <class T>
-std::shared_ptr<T> shared(T&& value) {
-    return std::make_shared<T>(std::move(value));
-}
 
 // From a mesh that was taken over to positions and faces; or from new control positions to positions, all
 // else having been prepared.
@@ -232,33 +182,36 @@ Subject ours_by(Task task, int threads, int level, const ExpectedPtr<Real>& expe
 
 template <class Real>
 Subject far_by(Task task, int level) {
-    return {"opensubdiv-far", 1, 350, [=](const TriangleMesh& mesh) -> core::Result<Run> {
-                auto made = reference::OpensubdivLastLevel<Real>::make(mesh, {});
-                if (!made) return tl::unexpected(made.error());
-                const auto far = shared(std::move(*made));
-                const auto refine_topology = [=] {
-                    far->refine_topology(level, reference::LastTopology::Least);
-                };
-                const auto none = [] { return std::string(); };  // the others are compared with this
-                if (task == Task::Total)
-                    return Run{[=] {
-                                   refine_topology();
-                                   far->interpolate();
-                               },
-                               [=] { far->clear(); }, none};
-                refine_topology();
-                return Run{[=] { far->interpolate(); }, [] {}, none};
+    using Far = reference::OpensubdivLastLevel<Real>;
+    const auto run_of = [=](const std::shared_ptr<Far>& far) {
+        const auto refine_topology = [=] { far->refine_topology(level, reference::LastTopology::Least); };
+        const auto none = [] { return std::string(); };  // the others are compared with this
+        if (task == Task::Total)
+            return Run{[=] {
+                           refine_topology();
+                           far->interpolate();
+                       },
+                       [=] { far->clear(); }, none};
+        refine_topology();
+        return Run{[=] { far->interpolate(); }, [] {}, none};
+    };
+    return {"opensubdiv-far", 1, 350, [=](const TriangleMesh& mesh) {
+                return Far::make(mesh, {}).map(bench::shared<Far>).map(run_of);
             }};
 }
 
 template <class Real>
 Subject by_stencils(int level, const ExpectedPtr<Real>& expected) {
-    return {"opensubdiv-stencils", 1, 1200, [=](const TriangleMesh& mesh) -> core::Result<Run> {
-                auto made = reference::OpensubdivStencilTable<Real>::make(mesh, {}, level);
-                if (!made) return tl::unexpected(made.error());
-                const auto table = shared(std::move(*made));
-                return Run{[=] { table->update(); }, [] {},
-                           [=, &mesh] { return distances(mesh, table->positions(), *expected); }};
+    using Table = reference::OpensubdivStencilTable<Real>;
+    return {"opensubdiv-stencils", 1, 1200, [=](const TriangleMesh& mesh) {
+                const auto run_of = [&](const std::shared_ptr<Table>& table) {
+                    const auto disagreement = [=, &mesh] {
+                        return bench::distances("positions", table->positions(), expected->of(mesh).positions,
+                                                bench::allowed_distance(mesh, level, kPrecisionOf<Real>));
+                    };
+                    return Run{[=] { table->update(); }, [] {}, disagreement};
+                };
+                return Table::make(mesh, {}, level).map(bench::shared<Table>).map(run_of);
             }};
 }
 
@@ -266,12 +219,14 @@ Subject by_stencils(int level, const ExpectedPtr<Real>& expected) {
 template <class Real, class Peer>
 Subject in_place(std::string name, double bytes, int level, const ExpectedPtr<Real>& expected,
                  core::Result<Peer> (*make)(const TriangleMesh&)) {
-    return {std::move(name), 1, bytes, [=](const TriangleMesh& mesh) -> core::Result<Run> {
-                auto made = make(mesh);
-                if (!made) return tl::unexpected(made.error());
-                const auto peer = shared(std::move(*made));
-                return Run{[=] { peer->refine(level); }, [=] { peer->clear(); },
-                           [=, &mesh] { return distances_in_any_order(mesh, peer->positions(), *expected); }};
+    return {std::move(name), 1, bytes, [=](const TriangleMesh& mesh) {
+                const auto run_of = [&](const std::shared_ptr<Peer>& peer) {
+                    const auto disagreement = [=, &mesh] {
+                        return distances_in_any_order(mesh, peer->positions(), *expected);
+                    };
+                    return Run{[=] { peer->refine(level); }, [=] { peer->clear(); }, disagreement};
+                };
+                return make(mesh).map(bench::shared<Peer>).map(run_of);
             }};
 }
 
@@ -280,15 +235,16 @@ Subject in_place(std::string name, double bytes, int level, const ExpectedPtr<Re
 constexpr double kFaceBytes = 2 * sizeof(core::Triangle);  // a vertex has two faces
 
 template <class Real>
-Case total(int sphere, int level) {
+Case total(int size, int level) {
     const auto expected = std::make_shared<Expected<Real>>(level);
-    Case out{"total",
-             kPrecisionOf<Real>,
-             sphere,
-             level,
-             bench::sphere_vertices(sphere, level),
-             3 * sizeof(Real) + kFaceBytes,
-             {}};
+    Case out{.task = "total",
+             .precision = kPrecisionOf<Real>,
+             .mesh = bench::varied_sphere,
+             .size = size,
+             .level = level,
+             .items = bench::sphere_vertices(size, level),
+             .written = 3 * sizeof(Real) + kFaceBytes,
+             .subjects = {}};
     for (const int threads : {1, 2})
         out.subjects.push_back(ours_by<Real>(Task::Total, threads, level, expected));
     out.subjects.push_back(far_by<Real>(Task::Total, level));
@@ -305,15 +261,16 @@ Case total(int sphere, int level) {
 }
 
 template <class Real>
-Case positions(int sphere, int level) {
+Case positions(int size, int level) {
     const auto expected = std::make_shared<Expected<Real>>(level);
-    Case out{"positions",
-             kPrecisionOf<Real>,
-             sphere,
-             level,
-             bench::sphere_vertices(sphere, level),
-             3 * sizeof(Real),
-             {}};
+    Case out{.task = "positions",
+             .precision = kPrecisionOf<Real>,
+             .mesh = bench::varied_sphere,
+             .size = size,
+             .level = level,
+             .items = bench::sphere_vertices(size, level),
+             .written = 3 * sizeof(Real),
+             .subjects = {}};
     for (const int threads : {1, 2})
         out.subjects.push_back(ours_by<Real>(Task::Positions, threads, level, expected));
     out.subjects.push_back(far_by<Real>(Task::Positions, level));
@@ -346,13 +303,13 @@ int main(int argc, char** argv) {
     program.add_peer("cgal", reference::cgal_version());
 #endif
     if (const auto code = program.parse(argc, argv)) return *code;
-    for (const auto& [sphere, level] : spheres_and_levels(program.extent())) {
+    for (const auto& [size, level] : spheres_and_levels(program.extent())) {
         if (!program.wants_level(level)) continue;
-        program.measure(total<double>(sphere, level));
-        program.measure(positions<double>(sphere, level));
+        program.measure(total<double>(size, level));
+        program.measure(positions<double>(size, level));
         if (program.extent() == bench::Extent::Quick) continue;
-        program.measure(total<float>(sphere, level));
-        program.measure(positions<float>(sphere, level));
+        program.measure(total<float>(size, level));
+        program.measure(positions<float>(size, level));
     }
     return program.finish();
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/error.h"
@@ -17,6 +19,12 @@ struct Run {
     std::function<std::string()> disagreement;  ///< what is wrong with the result; empty where nothing is
 };
 
+/// Moves a value to where the functions of a run can share it.
+template <class T>
+std::shared_ptr<T> shared(T value) {
+    return std::make_shared<T>(std::move(value));
+}
+
 struct Subject {
     std::string name;
     int threads = 1;
@@ -27,12 +35,17 @@ struct Subject {
 struct Case {
     std::string task;
     core::Precision precision;
-    int sphere;  ///< size of the `varied_sphere`
+    const core::TriangleMesh& (*mesh)(int size);
+    int size;  ///< of the control mesh: it has 20 4^size faces
     int level;
     double items;                   ///< vertices or samples: costs are per item
     double written;                 ///< bytes an item that nobody can do without writing
     std::vector<Subject> subjects;  ///< the first is what the others are compared with
 };
+
+inline const core::TriangleMesh& mesh_of(const Case& c) {
+    return c.mesh(c.size);
+}
 
 /// "total/double/20480/4/ours/2".
 std::string name_of(const Case& c, const Subject& subject);

@@ -35,7 +35,7 @@ std::optional<Contestant> enter(const Case& c, const Subject& subject, Measured&
     if (needed > available)
         return leave_out(fmt::format("It needs about {:.1f} GiB, and {:.1f} are left.", needed / kGibibyte,
                                      available / kGibibyte));
-    auto run = subject.make(varied_sphere(c.sphere));
+    auto run = subject.make(mesh_of(c));
     measured.failed = !run;
     if (!run) return leave_out(core::to_string(run.error()));
     Contestant out{subject, measured, std::move(*run), {}};
@@ -86,7 +86,7 @@ core::Result<Fresh> fresh_medians(const std::vector<std::string>& arguments, int
 }  // namespace
 
 std::string name_of(const Case& c, const Subject& subject) {
-    return fmt::format("{}/{}/{}/{}/{}/{}", c.task, core::name(c.precision), sphere_faces(c.sphere), c.level,
+    return fmt::format("{}/{}/{}/{}/{}/{}", c.task, core::name(c.precision), sphere_faces(c.size), c.level,
                        subject.name, subject.threads);
 }
 

@@ -49,23 +49,32 @@ void turn_edges(core::MeshData& data, int turns) {
     }
 }
 
-core::TriangleMesh make_sphere(int size) {
+core::MeshData sphere(int size) {
     auto model = core::read_model(LOOPCHECK_MODELS_DIR "/icosahedron.obj").value();
     const auto mesh = core::TriangleMesh::make(std::move(model.data)).value();
     const auto refined = core::refine<double>(mesh, {}, size).value().levels.back();
     core::MeshData data;
     data.positions = refined.positions;
     for (const core::Triangle& t : refined.triangles) data.add_face(t);
-    turn_edges(data, 2 * static_cast<int>(data.face_corners.size()));
-    return core::TriangleMesh::make(std::move(data)).value();
+    return data;
 }
 
 }  // namespace
 
+const core::TriangleMesh& plain_sphere(int size) {
+    static std::map<int, core::TriangleMesh> made;
+    const auto found = made.find(size);
+    if (found != made.end()) return found->second;
+    return made.emplace(size, core::TriangleMesh::make(sphere(size)).value()).first->second;
+}
+
 const core::TriangleMesh& varied_sphere(int size) {
     static std::map<int, core::TriangleMesh> made;
     const auto found = made.find(size);
-    return found != made.end() ? found->second : made.emplace(size, make_sphere(size)).first->second;
+    if (found != made.end()) return found->second;
+    core::MeshData data = sphere(size);
+    turn_edges(data, 2 * static_cast<int>(data.face_corners.size()));
+    return made.emplace(size, core::TriangleMesh::make(std::move(data)).value()).first->second;
 }
 
 }  // namespace loopcheck::bench

@@ -5,10 +5,13 @@
 
 namespace loopcheck::bench {
 
-/// A sphere of 20 4^size triangles whose edges were turned at random, always the same: valences 3 to 14.
+/// A sphere of 20 4^size triangles: twelve vertices of valence 5, the others of valence 6.
+const core::TriangleMesh& plain_sphere(int size);
+
+/// The same with edges turned at random, always the same: valences 3 to 14.
 const core::TriangleMesh& varied_sphere(int size);
 
-/// Its faces, and the vertices of its level.
+/// Their faces, and the vertices of their level.
 constexpr int sphere_faces(int size) {
     return 20 << 2 * size;
 }

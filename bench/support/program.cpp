@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bench/support/meshes.h"
 #include "bench/support/report.h"
 #include "core/mesh/io/atomic_file.h"
 
@@ -67,7 +66,7 @@ bool Program::wants_level(int level) const {
 void Program::measure_one(const Case& c) {
     for (const Subject& subject : c.subjects) {
         if (name_of(c, subject) != one_) continue;
-        const auto fresh = measure_here(subject, varied_sphere(c.sphere));
+        const auto fresh = measure_here(subject, mesh_of(c));
         if (fresh)
             fmt::print("{}", to_line(*fresh));
         else

@@ -62,7 +62,7 @@ std::string as_text(const CaseResult& result, std::string_view item) {
         "\n{}, {}, {} faces, level {}: {:.0f} x {}, rounds: {}; writing {:.0f} bytes takes {} ns with one "
         "thread, {} with two\n"
         "{:<24} {:>7} {:>9} {:>8} {:>8} | fresh {:>9} {:>9} {:>7}\n",
-        c.task, core::name(c.precision), sphere_faces(c.sphere), c.level, c.items, item, result.rounds,
+        c.task, core::name(c.precision), sphere_faces(c.size), c.level, c.items, item, result.rounds,
         c.written, cell(kNano * c.written * result.write_seconds[0]),
         cell(kNano * c.written * result.write_seconds[1]), "", "threads", "ns", "/ ours", "/ write",
         "prepare", "ns", "bytes");
@@ -87,7 +87,7 @@ Json as_json(const CaseResult& result) {
     const double per_item = kNano / c.items;
     Json out{{"task", c.task},
              {"precision", core::name(c.precision)},
-             {"faces", sphere_faces(c.sphere)},
+             {"faces", sphere_faces(c.size)},
              {"level", c.level},
              {"items", c.items},
              {"rounds", result.rounds},

@@ -33,7 +33,7 @@ const std::vector<Room> kRooms{
     {"models/generate/", {"models/generate/"}},
     {"bench/", {"bench/", "compare/", "core/", "reference/"}},
     {"docs/", {"compare/", "core/", "reference/"}},
-    {"tests/", {"tests/", "compare/", "core/", "models/generate/", "reference/"}},
+    {"tests/", {"tests/", "bench/", "compare/", "core/", "models/generate/", "reference/"}},
 };
 
 // Libraries that belong to some rooms only.
