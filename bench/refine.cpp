@@ -51,11 +51,11 @@ class Ours {
     void prepare() { refiner_ = core::LatticeRefiner::make(mesh_, {}, level_).value(); }
     void refine_positions() {
         positions_ = position_buffer_.room_for(static_cast<std::size_t>(refiner_->order().vertex_count()));
-        refiner_->refine<Real>(control_, positions_);
+        refiner_->refine<Real>(control_, positions_, threads_);
     }
     void list_faces() {
         faces_ = face_buffer_.room_for(static_cast<std::size_t>(refiner_->order().face_count()));
-        refiner_->triangles(faces_);
+        refiner_->triangles(faces_, threads_);
     }
     void clear() { refiner_.reset(); }
 
@@ -203,7 +203,7 @@ Subject far_by(Task task, int level) {
 template <class Real>
 Subject by_stencils(int level, const ExpectedPtr<Real>& expected) {
     using Table = reference::OpensubdivStencilTable<Real>;
-    return {"opensubdiv-stencils", 1, 1200, [=](const TriangleMesh& mesh) {
+    return {"opensubdiv-stencils", 1, 900, [=](const TriangleMesh& mesh) {
                 const auto run_of = [&](const std::shared_ptr<Table>& table) {
                     const auto disagreement = [=, &mesh] {
                         return bench::distances("positions", table->positions(), expected->of(mesh).positions,
@@ -251,11 +251,11 @@ Case total(int size, int level) {
 #ifdef LOOPCHECK_HAS_OPENMESH
     using OpenMesh = reference::OpenmeshLastLevel<Real>;
     out.subjects.push_back(in_place<Real, OpenMesh>(
-        "openmesh", 500, level, expected, [](const TriangleMesh& mesh) { return OpenMesh::make(mesh, {}); }));
+        "openmesh", 400, level, expected, [](const TriangleMesh& mesh) { return OpenMesh::make(mesh, {}); }));
 #endif
 #ifdef LOOPCHECK_HAS_CGAL
     out.subjects.push_back(in_place<Real, reference::CgalLastLevel<Real>>(
-        "cgal", 400, level, expected, &reference::CgalLastLevel<Real>::make));
+        "cgal", 300, level, expected, &reference::CgalLastLevel<Real>::make));
 #endif
     return out;
 }

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "bench/support/meshes.h"
+#include "core/loop/lattice/kernels.h"
 
 namespace loopcheck::bench {
 namespace {
@@ -39,12 +40,13 @@ Json number(double value) {
 
 Machine this_machine() {
     return {processor(), std::thread::hardware_concurrency(), LOOPCHECK_COMPILER, LOOPCHECK_FLAGS,
-            "one for all processors, as the flags above make it"};
+            std::string(core::lattice_instructions())};
 }
 
 std::string as_text(const Machine& machine) {
-    return fmt::format("processor  {}, {} threads\ncompiler   {}\nflags      {}\nkernel     {}\n",
-                       machine.processor, machine.threads, machine.compiler, machine.flags, machine.kernel);
+    return fmt::format("processor  {}, {} threads\ncompiler   {}\nflags      {}\nlattice    {}\n",
+                       machine.processor, machine.threads, machine.compiler, machine.flags,
+                       machine.instructions);
 }
 
 Json as_json(const Machine& machine) {
@@ -52,7 +54,7 @@ Json as_json(const Machine& machine) {
             {"threads", machine.threads},
             {"compiler", machine.compiler},
             {"flags", machine.flags},
-            {"kernel", machine.kernel}};
+            {"lattice_instructions", machine.instructions}};
 }
 
 std::string as_text(const CaseResult& result, std::string_view item) {

@@ -13,7 +13,7 @@ struct Machine {
     std::string processor;
     unsigned threads = 0;
     std::string compiler, flags;
-    std::string kernel;  ///< which way our refinement takes on this processor
+    std::string instructions;  ///< that our refinement picked on this processor
 };
 Machine this_machine();
 std::string as_text(const Machine& machine);
