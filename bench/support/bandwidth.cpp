@@ -34,6 +34,7 @@ WriteTest::WriteTest(std::size_t bytes)
 double WriteTest::seconds_per_byte(int threads) {
     const std::size_t part = count_ / static_cast<std::size_t>(threads) / kBlock * kBlock;
     std::vector<double> times;
+    times.reserve(kFills);
     for (int i = 0; i < kFills; ++i)
         times.push_back(seconds([&] {
             std::vector<std::jthread> helpers;

@@ -15,8 +15,6 @@
 #include <malloc.h>
 #endif
 
-extern char** environ;
-
 namespace loopcheck::bench {
 namespace {
 
@@ -72,6 +70,7 @@ core::Result<Fresh> run_fresh(const std::vector<std::string>& arguments) {
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
 

@@ -50,8 +50,9 @@ std::optional<Contestant> enter(const Case& c, const Subject& subject, Measured&
 int rounds_for(const Plan& plan, const std::vector<Contestant>& contestants) {
     double round = 0;
     for (const Contestant& contestant : contestants) round += contestant.times.front();
-    return static_cast<int>(std::clamp(plan.seconds / round, static_cast<double>(plan.least_rounds),
-                                       static_cast<double>(plan.most_rounds)));
+    return round * plan.least_rounds >= plan.seconds
+               ? plan.least_rounds
+               : static_cast<int>(std::min(plan.seconds / round, static_cast<double>(plan.most_rounds)));
 }
 
 void compete(std::vector<Contestant>& contestants, const Subject& first, int rounds) {
@@ -74,7 +75,7 @@ void compete(std::vector<Contestant>& contestants, const Subject& first, int rou
 core::Result<Fresh> fresh_medians(const std::vector<std::string>& arguments, int repetitions) {
     std::vector<double> prepare, work, bytes;
     for (int i = 0; i < repetitions; ++i) {
-        const auto fresh = run_fresh(arguments);
+        auto fresh = run_fresh(arguments);
         if (!fresh) return fresh;
         prepare.push_back(fresh->prepare_seconds);
         work.push_back(fresh->work_seconds);

@@ -31,7 +31,7 @@ void turn_edges(core::MeshData& data, int turns) {
     for (const auto& [ends, corner] : side_of) ++valence[ends.first];
     std::mt19937 random(1);
     for (int turn = 0; turn < turns; ++turn) {
-        const Index c = static_cast<Index>(random() % corners.size());
+        const auto c = static_cast<Index>(random() % corners.size());
         const Index a = corners[c], b = corners[next(c)], left = corners[next(next(c))];
         const Index other = side_of.at({b, a}), right = corners[next(next(other))];
         if (valence[a] <= kLeastValence || valence[b] <= kLeastValence || valence[left] >= kMostValence ||
@@ -41,8 +41,8 @@ void turn_edges(core::MeshData& data, int turns) {
         const Index f = c / 3, g = other / 3;
         remove(f);
         remove(g);
-        std::copy_n(std::array{a, right, left}.begin(), 3, corners.begin() + 3 * f);
-        std::copy_n(std::array{b, left, right}.begin(), 3, corners.begin() + 3 * g);
+        std::copy_n(std::array{a, right, left}.begin(), 3, &corners[3 * f]);
+        std::copy_n(std::array{b, left, right}.begin(), 3, &corners[3 * g]);
         add(f);
         add(g);
         --valence[a], --valence[b], ++valence[left], ++valence[right];

@@ -16,7 +16,7 @@ constexpr int sphere_faces(int size) {
     return 20 << 2 * size;
 }
 constexpr double sphere_vertices(int size, int level) {
-    return sphere_faces(size + level) / 2 + 2;
+    return 0.5 * sphere_faces(size + level) + 2;
 }
 
 }  // namespace loopcheck::bench

@@ -13,7 +13,6 @@ namespace {
 
 namespace Bfr = OpenSubdiv::Bfr;
 using core::Index;
-using internal::Value;
 
 const Bfr::Surface<double>::PointDescriptor kPoints(3);
 
