@@ -74,13 +74,15 @@ void Program::measure_one(const Case& c) {
     }
 }
 
+void Program::announce() {
+    fmt::print("{}", as_text(this_machine()));
+    for (const auto& [name, version] : peers_) fmt::print("{:<10} {}\n", name, version);
+    std::fflush(stdout);
+}
+
 void Program::measure(const Case& c) {
     if (!one_.empty()) return measure_one(c);
-    if (!announced_) {
-        fmt::print("{}", as_text(this_machine()));
-        for (const auto& [name, version] : peers_) fmt::print("{:<10} {}\n", name, version);
-    }
-    announced_ = true;
+    if (cases_.empty()) announce();
     std::vector<std::string> fresh;
     if (extent_ != Extent::Full) fresh.emplace_back(flag_of(extent_));
     fresh.emplace_back("--one");
@@ -94,23 +96,26 @@ void Program::measure(const Case& c) {
         else if (m.failed && code_ == 0)
             code_ = kExitFailed;
     }
+    write_report();
 }
 
-int Program::finish() {
-    if (!one_.empty()) return code_;
-    if (cases_.empty()) {
-        fmt::print(stderr, "None of these levels is measured here.\n");
-        return kExitUsage;
-    }
-    if (json_.empty()) return code_;
+void Program::write_report() {
+    if (json_.empty()) return;
     nlohmann::ordered_json peers;
     for (const auto& [name, version] : peers_) peers[name] = version;
     const nlohmann::ordered_json report{
         {"program", name_},          {"item", item_},      {"machine", as_json(this_machine())},
-        {"peers", std::move(peers)}, {"exit_code", code_}, {"cases", std::move(cases_)}};
+        {"peers", std::move(peers)}, {"exit_code", code_}, {"cases", cases_}};
     const auto written = core::write_file(json_, report.dump(1) + "\n");
-    if (written) return code_;
+    if (written) return;
     fmt::print(stderr, "{}: {}\n", json_, core::to_string(written.error()));
+    json_.clear();
+    code_ = kExitUsage;
+}
+
+int Program::finish() const {
+    if (!one_.empty() || !cases_.empty()) return code_;
+    fmt::print(stderr, "None of these levels is measured here.\n");
     return kExitUsage;
 }
 

@@ -34,19 +34,21 @@ class Program {
     /// Measures and prints the case; in a process for one subject, only that.
     void measure(const Case& c);
 
-    /// Writes the report.  0 where all went well, 1 where results differ, 2 where the report cannot be
+    /// 0 where all went well, 1 where results differ, 2 where nothing was measured or the report could not be
     /// written, 3 where a subject failed.
-    int finish();
+    int finish() const;
 
   private:
     void measure_one(const Case& c);
+    void announce();
+    // What was measured so far: a long run that is stopped leaves its report.
+    void write_report();
 
     std::string name_, description_, item_, json_, one_;
     Extent extent_ = Extent::Full;
     std::vector<int> levels_;
     std::vector<std::pair<std::string, std::string>> peers_;
     nlohmann::ordered_json cases_ = nlohmann::ordered_json::array();
-    bool announced_ = false;
     int code_ = 0;
 };
 
