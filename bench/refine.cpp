@@ -12,6 +12,7 @@
 #include "bench/support/buffer.h"
 #include "bench/support/meshes.h"
 #include "bench/support/program.h"
+#include "core/loop/lattice/evaluator.h"
 #include "core/loop/lattice/refiner.h"
 #include "core/loop/lattice/split_order.h"
 #include "reference/opensubdiv/last_level.h"
@@ -48,25 +49,32 @@ class Ours {
           level_(level),
           threads_(threads) {}
 
-    void prepare() { refiner_ = core::LatticeRefiner::make(mesh_, {}, level_).value(); }
-    void refine_positions() {
-        positions_ = position_buffer_.room_for(static_cast<std::size_t>(refiner_->order().vertex_count()));
-        refiner_->refine<Real>(control_, positions_, threads_);
-    }
-    void list_faces() {
+    void refine_mesh() {
+        refiner_ = core::LatticeRefiner::make(mesh_, {}, level_).value();
+        refiner_->refine<Real>(control_, room_for_positions(refiner_->order()), threads_);
         faces_ = face_buffer_.room_for(static_cast<std::size_t>(refiner_->order().face_count()));
         refiner_->triangles(faces_, threads_);
     }
     void clear() { refiner_.reset(); }
 
+    void prepare() { evaluator_ = core::LatticeEvaluator<Real>::make(mesh_, {}, level_).value(); }
+    void refine_positions() {
+        evaluator_->refine(control_, room_for_positions(evaluator_->order()), threads_);
+    }
+
     std::span<const core::Point<Real>> positions() const { return positions_; }
-    std::span<const core::Triangle> faces() const { return faces_; }
+    std::span<const core::Triangle> faces() const { return faces_; }  // none of `refine_positions`
 
   private:
+    std::span<core::Point<Real>> room_for_positions(const core::LatticeOrder& order) {
+        return positions_ = position_buffer_.room_for(static_cast<std::size_t>(order.vertex_count()));
+    }
+
     const TriangleMesh& mesh_;
     core::Points<Real> control_;
     int level_, threads_;
     std::optional<core::LatticeRefiner> refiner_;
+    std::optional<core::LatticeEvaluator<Real>> evaluator_;
     Buffer<core::Point<Real>> position_buffer_;
     Buffer<core::Triangle> face_buffer_;
     std::span<core::Point<Real>> positions_;
@@ -101,10 +109,9 @@ class Expected {
     std::optional<Level> made_;
 };
 
-bool same_bits(const auto& a, const glm::dvec3& b) {
+bool same_bits(const glm::dvec3& a, const glm::dvec3& b) {
     for (int d = 0; d < 3; ++d)
-        if (std::bit_cast<std::uint64_t>(static_cast<double>(a[d])) != std::bit_cast<std::uint64_t>(b[d]))
-            return false;
+        if (std::bit_cast<std::uint64_t>(a[d]) != std::bit_cast<std::uint64_t>(b[d])) return false;
     return true;
 }
 
@@ -112,21 +119,19 @@ bool same_bits(const auto& a, const glm::dvec3& b) {
 template <class Real>
 std::string bits_that_differ(const TriangleMesh& mesh, const Ours<Real>& ours, Expected<Real>& expected) {
     const auto& [positions, faces] = expected.of(mesh);
-    const core::LatticeOrder order(mesh.topology(), expected.level());
-    const core::SplitOrder split(mesh.topology(), expected.level());
     if (ours.positions().size() != positions.size())
         return fmt::format("{} vertices, {} expected", ours.positions().size(), positions.size());
-    std::vector<Index> number_of(positions.size());
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        number_of[v] = static_cast<Index>(split.vertex(order.address_of(static_cast<std::int64_t>(v))));
+    const auto number_of = bench::split_numbers(mesh, expected.level());
+    for (std::size_t v = 0; v < positions.size(); ++v)
         if (!same_bits(ours.positions()[v], positions[number_of[v]]))
             return fmt::format("vertex {} has other bits than OpenSubdiv's {}", v, number_of[v]);
-    }
-    const std::int64_t per_face = std::int64_t{order.segments()} * order.segments();
+    const core::SplitOrder split(mesh.topology(), expected.level());
+    const Index segments = 1 << expected.level();
+    const std::int64_t per_face = std::int64_t{segments} * segments;
     for (std::size_t t = 0; t < ours.faces().size(); ++t) {
         const auto triangle = static_cast<std::int64_t>(t);
         const auto number = split.face(static_cast<Index>(triangle / per_face),
-                                       core::triangle_at(order.segments(), triangle % per_face));
+                                       core::triangle_at(segments, triangle % per_face));
         core::Triangle renamed = ours.faces()[t];
         for (Index& v : renamed) v = number_of[v];
         if (renamed != faces[number]) return fmt::format("face {} is not OpenSubdiv's {}", t, number);
@@ -169,12 +174,7 @@ Subject ours_by(Task task, int threads, int level, const ExpectedPtr<Real>& expe
                 const auto ours = std::make_shared<Ours<Real>>(mesh, level, threads);
                 const auto disagreement = [=, &mesh] { return bits_that_differ(mesh, *ours, *expected); };
                 if (task == Task::Total)
-                    return Run{[=] {
-                                   ours->prepare();
-                                   ours->refine_positions();
-                                   ours->list_faces();
-                               },
-                               [=] { ours->clear(); }, disagreement};
+                    return Run{[=] { ours->refine_mesh(); }, [=] { ours->clear(); }, disagreement};
                 ours->prepare();
                 return Run{[=] { ours->refine_positions(); }, [] {}, disagreement};
             }};
@@ -278,18 +278,6 @@ Case positions(int size, int level) {
     return out;
 }
 
-std::vector<std::pair<int, int>> spheres_and_levels(bench::Extent extent) {
-    switch (extent) {
-        case bench::Extent::Smoke:
-            return {{1, 1}, {2, 3}};
-        case bench::Extent::Quick:
-            return {{5, 1}, {5, 2}, {5, 3}, {5, 4}};
-        case bench::Extent::Full:
-            break;
-    }
-    return {{5, 1}, {5, 2}, {5, 3}, {5, 4}, {5, 5}, {4, 6}};
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -303,8 +291,7 @@ int main(int argc, char** argv) {
     program.add_peer("cgal", reference::cgal_version());
 #endif
     if (const auto code = program.parse(argc, argv)) return *code;
-    for (const auto& [size, level] : spheres_and_levels(program.extent())) {
-        if (!program.wants_level(level)) continue;
+    for (const auto& [size, level] : program.sizes_and_levels()) {
         program.measure(total<double>(size, level));
         program.measure(positions<double>(size, level));
         if (program.extent() == bench::Extent::Quick) continue;

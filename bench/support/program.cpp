@@ -63,6 +63,22 @@ bool Program::wants_level(int level) const {
     return levels_.empty() || std::find(levels_.begin(), levels_.end(), level) != levels_.end();
 }
 
+std::vector<std::pair<int, int>> Program::sizes_and_levels() const {
+    std::vector<std::pair<int, int>> out;
+    switch (extent_) {
+        case Extent::Smoke:
+            out = {{1, 1}, {2, 3}};
+            break;
+        case Extent::Quick:
+            out = {{5, 1}, {5, 2}, {5, 3}, {5, 4}};
+            break;
+        case Extent::Full:
+            out = {{5, 1}, {5, 2}, {5, 3}, {5, 4}, {5, 5}, {4, 6}};
+    }
+    std::erase_if(out, [&](const auto& one) { return !wants_level(one.second); });
+    return out;
+}
+
 void Program::measure_one(const Case& c) {
     for (const Subject& subject : c.subjects) {
         if (name_of(c, subject) != one_) continue;

@@ -26,6 +26,9 @@ class Program {
     Extent extent() const { return extent_; }
     bool wants_level(int level) const;
 
+    /// Sizes of the control sphere, and the levels it is refined to.
+    std::vector<std::pair<int, int>> sizes_and_levels() const;
+
     /// Names a peer and its version in the report.
     void add_peer(std::string name, std::string version) {
         peers_.emplace_back(std::move(name), std::move(version));
