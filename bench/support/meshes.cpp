@@ -1,6 +1,7 @@
 #include "bench/support/meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <random>
 #include <utility>
