@@ -32,6 +32,15 @@ if(LOOPCHECK_BENCH STREQUAL "AUTO" AND NOT PROJECT_IS_TOP_LEVEL)
     set(LOOPCHECK_BENCH_FOUND FALSE)
 endif()
 
+# A peer in the benchmarks.  What they use of it are headers; its own package would bring GMP and more flags.
+find_path(LOOPCHECK_CGAL_INCLUDE CGAL/subdivision_method_3.h)
+mark_as_advanced(LOOPCHECK_CGAL_INCLUDE)
+set(cgal_found FALSE)
+if(LOOPCHECK_CGAL_INCLUDE)
+    set(cgal_found TRUE)
+endif()
+loopcheck_optional(LOOPCHECK_CGAL ${cgal_found} CGAL libcgal-dev)
+
 include(LoopcheckHtml)
 
 if(loopcheck_missing)

@@ -4,10 +4,12 @@ include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY loopcheck_libraries)
 install(TARGETS loopcheck_cli loopcheck_core ${libraries} EXPORT loopcheckTargets)
 
-# command.h and refiner.h are internal: they need CLI11 and OpenSubdiv.
+# command.h, refiner.h and control.h are internal: they need CLI11, OpenSubdiv and OpenMesh.
 install(DIRECTORY core reference compare DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/loopcheck
         FILES_MATCHING PATTERN *.h
         PATTERN compare/cli/command.h EXCLUDE
+        PATTERN reference/cgal EXCLUDE
+        PATTERN reference/openmesh/control.h EXCLUDE
         PATTERN reference/opensubdiv/refiner.h EXCLUDE)
 
 set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/loopcheck)

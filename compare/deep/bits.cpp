@@ -140,10 +140,10 @@ template <class Real>
 core::Result<BlockFindings> compare_block(const Task& task, FaceBlock block,
                                           const core::Points<Real>& lattices) {
     const Neighbourhood around = neighbourhood_of(task.mesh, task.options.creasing, block);
-    auto peer = reference::OpensubdivLastLevel::make(around.mesh, task.options, kPrecision<Real>);
+    auto peer = reference::OpensubdivLastLevel<Real>::make(around.mesh, task.options);
     if (!peer) return tl::unexpected(peer.error());
     if (auto error = peer->refine(task.pattern.level())) return tl::unexpected(std::move(*error));
-    const auto theirs = peer->template values<Real>();
+    const auto theirs = peer->values();
     const core::LatticeOrder order(around.mesh.topology(), task.pattern.level());
     if (static_cast<std::int64_t>(theirs.size()) != order.vertex_count())
         return core::fail(core::ErrorCode::SubjectFailed,

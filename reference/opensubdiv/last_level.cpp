@@ -2,65 +2,60 @@
 
 #include <opensubdiv/far/primvarRefiner.h>
 
-#include <variant>
+#include <cmath>
 
 #include "reference/opensubdiv/refiner.h"
 
 namespace loopcheck::reference {
-namespace {
+
+using internal::Buffer;
+using internal::Value;
 
 template <class Real>
-using Levels = std::vector<std::vector<internal::Value<Real>>>;
-
-template <class Real>
-void interpolate(const internal::Far::TopologyRefiner& refiner, Levels<Real>& values) {
-    const internal::Far::PrimvarRefinerReal<Real> primvars(refiner);
-    const int level = refiner.GetMaxLevel();
-    values.resize(static_cast<std::size_t>(level) + 1);
-    for (int l = 1; l <= level; ++l) {
-        values[l].resize(static_cast<std::size_t>(refiner.GetLevel(l).GetNumVertices()));
-        primvars.Interpolate(l, values[l - 1], values[l]);
-    }
-}
-
-}  // namespace
-
-struct OpensubdivLastLevel::State {
+struct OpensubdivLastLevel<Real>::State {
     internal::RefinerPtr base, refined;
-    std::variant<Levels<double>, Levels<float>> values;
+    std::vector<Value<Real>> control;
+    std::vector<Buffer<Real>> levels;  // from level 1
+    Buffer<Real> limit, tangent1, tangent2, normals;
+
+    int last() const { return refined->GetMaxLevel(); }
+    std::size_t last_size() const {
+        return static_cast<std::size_t>(refined->GetLevel(last()).GetNumVertices());
+    }
+    const Value<Real>* last_values() const {
+        return last() == 0 ? control.data() : levels[static_cast<std::size_t>(last()) - 1].data();
+    }
 };
 
-OpensubdivLastLevel::OpensubdivLastLevel(std::unique_ptr<State> state) : state_(std::move(state)) {}
-OpensubdivLastLevel::OpensubdivLastLevel(OpensubdivLastLevel&&) noexcept = default;
-OpensubdivLastLevel& OpensubdivLastLevel::operator=(OpensubdivLastLevel&&) noexcept = default;
-OpensubdivLastLevel::~OpensubdivLastLevel() = default;
+template <class Real>
+OpensubdivLastLevel<Real>::OpensubdivLastLevel(std::unique_ptr<State> state) : state_(std::move(state)) {}
+template <class Real>
+OpensubdivLastLevel<Real>::OpensubdivLastLevel(OpensubdivLastLevel&&) noexcept = default;
+template <class Real>
+OpensubdivLastLevel<Real>& OpensubdivLastLevel<Real>::operator=(OpensubdivLastLevel&&) noexcept = default;
+template <class Real>
+OpensubdivLastLevel<Real>::~OpensubdivLastLevel() = default;
 
-core::Result<OpensubdivLastLevel> OpensubdivLastLevel::make(const core::TriangleMesh& mesh,
-                                                            const core::SchemeOptions& options,
-                                                            core::Precision precision) {
+template <class Real>
+core::Result<OpensubdivLastLevel<Real>> OpensubdivLastLevel<Real>::make(const core::TriangleMesh& mesh,
+                                                                        const core::SchemeOptions& options) {
     if (auto error = internal::check_supported(mesh, options, 0)) return tl::unexpected(*error);
     return internal::contained([&]() -> core::Result<OpensubdivLastLevel> {
         auto base = internal::make_refiner(mesh, options);
         if (!base) return tl::unexpected(base.error());
         auto state = std::make_unique<State>();
         state->base = std::move(*base);
-        if (precision == core::Precision::Float)
-            state->values = Levels<float>{internal::control_values<float>(mesh.positions())};
-        else
-            state->values = Levels<double>{internal::control_values<double>(mesh.positions())};
+        state->control = internal::control_values<Real>(mesh.positions());
         return OpensubdivLastLevel(std::move(state));
     });
 }
 
-std::optional<core::Error> OpensubdivLastLevel::refine(int level) {
-    auto& [base, refined, values] = *state_;
+template <class Real>
+std::optional<core::Error> OpensubdivLastLevel<Real>::refine(int level) {
     const auto done = internal::contained([&]() -> core::Result<int> {
-        refined.reset(internal::Factory::Create(*base));
-        internal::Far::TopologyRefiner::UniformOptions uniform(static_cast<unsigned>(level));
-        uniform.fullTopologyInLastLevel = false;
-        refined->RefineUniform(uniform);
-        std::visit([&](auto& levels) { interpolate(*refined, levels); }, values);
-        if (refined->GetMaxLevel() != level || !internal::caught_messages().empty())
+        refine_topology(level, LastTopology::Least);
+        interpolate();
+        if (state_->last() != level || !internal::caught_messages().empty())
             return internal::failed(internal::caught_messages());
         return level;
     });
@@ -68,17 +63,83 @@ std::optional<core::Error> OpensubdivLastLevel::refine(int level) {
     return std::nullopt;
 }
 
-std::vector<glm::dvec3> OpensubdivLastLevel::positions() const {
-    return std::visit([](const auto& levels) { return internal::to_positions(levels.back()); },
-                      state_->values);
+template <class Real>
+void OpensubdivLastLevel<Real>::clear() {
+    state_->refined.reset();
 }
 
 template <class Real>
-std::span<const internal::Value<Real>> OpensubdivLastLevel::values() const {
-    return std::get<Levels<Real>>(state_->values).back();
+void OpensubdivLastLevel<Real>::refine_topology(int level, LastTopology last) {
+    state_->refined.reset(internal::Factory::Create(*state_->base));
+    internal::Far::TopologyRefiner::UniformOptions uniform(static_cast<unsigned>(level));
+    uniform.fullTopologyInLastLevel = last == LastTopology::Full;
+    state_->refined->RefineUniform(uniform);
 }
 
-template std::span<const internal::Value<float>> OpensubdivLastLevel::values<float>() const;
-template std::span<const internal::Value<double>> OpensubdivLastLevel::values<double>() const;
+template <class Real>
+void OpensubdivLastLevel<Real>::interpolate() {
+    const auto& refiner = *state_->refined;
+    const internal::Far::PrimvarRefinerReal<Real> primvars(refiner);
+    state_->levels.resize(static_cast<std::size_t>(state_->last()));
+    const Value<Real>* parent = state_->control.data();
+    for (int l = 1; l <= state_->last(); ++l) {
+        Value<Real>* child = state_->levels[static_cast<std::size_t>(l) - 1].room_for(
+            static_cast<std::size_t>(refiner.GetLevel(l).GetNumVertices()));
+        primvars.Interpolate(l, parent, child);
+        parent = child;
+    }
+}
+
+template <class Real>
+void OpensubdivLastLevel<Real>::limit() {
+    const std::size_t size = state_->last_size();
+    const internal::Far::PrimvarRefinerReal<Real> primvars(*state_->refined);
+    Value<Real>* position = state_->limit.room_for(size);
+    Value<Real>* tangent1 = state_->tangent1.room_for(size);
+    Value<Real>* tangent2 = state_->tangent2.room_for(size);
+    Value<Real>* normal = state_->normals.room_for(size);
+    primvars.Limit(state_->last_values(), position, tangent1, tangent2);
+    for (std::size_t v = 0; v < size; ++v) {
+        const auto &a = tangent1[v], &b = tangent2[v];
+        const Value<Real> n{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+        const Real scale = 1 / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+        normal[v] = {scale * n.x, scale * n.y, scale * n.z};
+    }
+}
+
+template <class Real>
+std::vector<glm::dvec3> OpensubdivLastLevel<Real>::positions() const {
+    return internal::to_positions(values());
+}
+
+template <class Real>
+std::span<const Value<Real>> OpensubdivLastLevel<Real>::values() const {
+    return {state_->last_values(), state_->last_size()};
+}
+
+template <class Real>
+std::vector<core::Triangle> OpensubdivLastLevel<Real>::faces() const {
+    const auto& level = state_->refined->GetLevel(state_->last());
+    std::vector<core::Triangle> out;
+    out.reserve(static_cast<std::size_t>(level.GetNumFaces()));
+    for (core::Index f = 0; f < level.GetNumFaces(); ++f) {
+        const auto v = level.GetFaceVertices(f);
+        out.push_back({v[0], v[1], v[2]});
+    }
+    return out;
+}
+
+template <class Real>
+std::vector<glm::dvec3> OpensubdivLastLevel<Real>::limit_positions() const {
+    return internal::to_positions(std::span(state_->limit.data(), state_->last_size()));
+}
+
+template <class Real>
+std::vector<glm::dvec3> OpensubdivLastLevel<Real>::limit_normals() const {
+    return internal::to_positions(std::span(state_->normals.data(), state_->last_size()));
+}
+
+template class OpensubdivLastLevel<float>;
+template class OpensubdivLastLevel<double>;
 
 }  // namespace loopcheck::reference

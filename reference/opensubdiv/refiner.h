@@ -88,12 +88,32 @@ std::vector<Value<Real>> control_values(std::span<const glm::dvec3> positions) {
     return out;
 }
 
+/// Values that are about to be written: grown without touching them, and used again.
 template <class Real>
-std::vector<glm::dvec3> to_positions(const std::vector<Value<Real>>& values) {
+class Buffer {
+  public:
+    Value<Real>* room_for(std::size_t size) {
+        if (size > size_) values_ = std::make_unique_for_overwrite<Value<Real>[]>(size_ = size);
+        return values_.get();
+    }
+    const Value<Real>* data() const { return values_.get(); }
+
+  private:
+    std::unique_ptr<Value<Real>[]> values_;
+    std::size_t size_ = 0;
+};
+
+template <class Real>
+std::vector<glm::dvec3> to_positions(std::span<const Value<Real>> values) {
     std::vector<glm::dvec3> out;
     out.reserve(values.size());
     for (const auto& v : values) out.emplace_back(v.x, v.y, v.z);
     return out;
+}
+
+template <class Real>
+std::vector<glm::dvec3> to_positions(const std::vector<Value<Real>>& values) {
+    return to_positions(std::span<const Value<Real>>(values));
 }
 
 /// Limit() of the last level of a refiner, whose values these are.

@@ -39,16 +39,16 @@ constexpr core::Precision kPrecision =
 template <class Real>
 LatticesByFace<Real> whole_mesh(const core::TriangleMesh& mesh, const core::SchemeOptions& options,
                                 int level) {
-    auto peer = OpensubdivLastLevel::make(mesh, options, kPrecision<Real>).value();
+    auto peer = OpensubdivLastLevel<Real>::make(mesh, options).value();
     if (const auto error = peer.refine(level)) throw std::runtime_error(core::to_string(*error));
-    return [&mesh, level,
-            peer = std::make_shared<OpensubdivLastLevel>(std::move(peer))](const VisitLattice<Real>& visit) {
+    return [&mesh, level, peer = std::make_shared<OpensubdivLastLevel<Real>>(std::move(peer))](
+               const VisitLattice<Real>& visit) {
         const core::NumberPattern pattern(level);
         const core::SplitNumbers split(pattern, mesh.topology());
         const Index n = Index{1} << level;
         std::vector<Index> numbers(static_cast<std::size_t>(core::lattice_place(n, 0, n)) + 1);
         core::Points<Real> lattice;
-        const auto values = peer->template values<Real>();
+        const auto values = peer->values();
         for (Index f = 0; f < mesh.face_count(); ++f) {
             split.of_face(f, numbers);
             lattice.clear();
@@ -237,7 +237,7 @@ TEST(BitComparison, FindsTheLastBitOfOneCoordinate) {
     const auto mesh = model_mesh("cow-creased");
     constexpr int kLevel = 3;
     constexpr Index kSegments = 1 << kLevel;
-    auto peer = OpensubdivLastLevel::make(mesh, {}).value();
+    auto peer = OpensubdivLastLevel<double>::make(mesh, {}).value();
     ASSERT_FALSE(peer.refine(kLevel));
     const auto numbered = peer.positions();
     const core::Topology& t = mesh.topology();

@@ -28,11 +28,12 @@ const std::vector<Room> kRooms{
     {"reference/opensubdiv/", {"reference/opensubdiv/", "core/mesh/"}},
     {"reference/openmesh/", {"reference/openmesh/", "core/mesh/"}},
     {"reference/boost_math/", {"reference/boost_math/", "core/mesh/"}},
+    {"reference/cgal/", {"reference/cgal/", "core/mesh/"}},
     {"compare/", {"compare/", "core/", "reference/"}},
     {"models/generate/", {"models/generate/"}},
-    {"bench/", {"compare/", "core/", "reference/"}},
+    {"bench/", {"bench/", "compare/", "core/", "reference/"}},
     {"docs/", {"compare/", "core/", "reference/"}},
-    {"tests/", {"tests/", "compare/", "core/", "models/generate/", "reference/"}},
+    {"tests/", {"tests/", "bench/", "compare/", "core/", "models/generate/", "reference/"}},
 };
 
 // Libraries that belong to some rooms only.
@@ -41,7 +42,8 @@ const std::vector<Room> kLibraries{
     {"OpenMesh/", {"reference/openmesh/", "tests/"}},
     {"boost/multiprecision/", {"core/mesh/high_precision.h", "tests/"}},
     {"boost/", {"core/bspline/", "core/loop/", "reference/boost_math/", "tests/"}},
-    {"CLI/", {"compare/cli/"}},
+    {"CGAL/", {"reference/cgal/"}},
+    {"CLI/", {"bench/", "compare/cli/"}},
 };
 
 bool begins_with_any(std::string_view text, const std::vector<std::string_view>& beginnings) {
@@ -141,6 +143,7 @@ TEST(Layers, AreSeenToBreak) {
         {"reference/opensubdiv/a.cpp", "  #  include  \"core/loop/b.h\"  // why", breaks},
         {"reference/opensubdiv/a.cpp", "#include \"reference/openmesh/b.h\"", breaks},
         {"reference/openmesh/a.cpp", "#include \"core/bspline/b.h\"", breaks},
+        {"reference/cgal/a.h", "#include \"core/loop/b.h\"", breaks},
         {"reference/another/a.cpp", "", "no rule covers this folder"},
         {"compare/a.cpp", "#include \"core/loop/b.h\"", ""},
         {"compare/a.cpp", "#include \"tests/b.h\"", breaks},
@@ -155,6 +158,7 @@ TEST(Layers, AreSeenToBreak) {
         {"core/loop/a.h", "#include <opensubdiv/far/b.h>", "does not belong here"},
         {"compare/a.cpp", "#include <OpenMesh/Core/b.hh>", "does not belong here"},
         {"compare/a.h", "#include <boost/b.hpp>", "does not belong here"},
+        {"bench/a.cpp", "#include <CGAL/b.h>", "does not belong here"},
         {"core/mesh/high_precision.h", "#include <boost/multiprecision/b.hpp>", ""},
         {"core/loop/weights.h", "#include <boost/multiprecision/b.hpp>", "does not belong here"}};
     const auto everything_but_missing = [](const std::string& name) { return !name.ends_with("missing.h"); };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/openmesh/last_level.h"
 #include "tests/reference/meshes.h"
 
 namespace loopcheck::reference {
@@ -31,6 +32,19 @@ TEST(Openmesh, GivesEveryLevelWithAncestry) {
         EXPECT_EQ(made->levels[l].triangles.size(), 5U << (2 * l));
         EXPECT_EQ(made->levels[l].ancestors.size(), made->levels[l].positions.size());
     }
+}
+
+TEST(Openmesh, RefinesAgainAndAgainWithTheSameBits) {
+    const auto made = refine(fan(5, true), 2);
+    auto timed = OpenmeshLastLevel<double>::make(make(fan(5, true)), kEdgeOnly);
+    ASSERT_TRUE(made && timed);
+    for (int i = 0; i < 2; ++i) {
+        timed->clear();
+        timed->refine(2);
+        EXPECT_EQ(timed->positions(), made->levels.back().positions);
+    }
+    EXPECT_EQ(OpenmeshLastLevel<float>::make(make(fan(50, true)), kEdgeOnly).error().code,
+              core::ErrorCode::Unsupported);
 }
 
 TEST(Openmesh, KeepsTheLastBitsOfDouble) {
