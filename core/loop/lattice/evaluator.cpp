@@ -8,11 +8,9 @@
 namespace loopcheck::core {
 namespace {
 
-// The rows in the order by address, over the vertices of the level before in the order of `split`, which is
-// the same at levels 0 and 1.
-template <class Real>
-GatherList<Real> list_of(const Rows& rows, Weights weights, const LatticeOrder& order,
-                         const SplitOrder& split) {
+// The rows, of which the one for place v is `row_at(v)`.
+template <class Real, class RowAt>
+GatherList<Real> list_of(const Rows& rows, Weights weights, RowAt&& row_at) {
     GatherList<Real> out;
     std::vector<std::uint32_t> weights_of_mask;
     for (const auto& mask : weights_of<Real>(rows, weights)) {
@@ -20,8 +18,8 @@ GatherList<Real> list_of(const Rows& rows, Weights weights, const LatticeOrder& 
         out.weights.insert(out.weights.end(), mask.begin(), mask.end());
     }
     out.offsets.push_back(0);
-    for (std::int64_t v = 0; v < order.vertex_count(); ++v) {
-        const auto row = static_cast<std::size_t>(split.vertex(order.address_of(v)));
+    for (std::size_t v = 0; v < rows.row_count(); ++v) {
+        const std::size_t row = row_at(v);
         const auto columns = rows.columns_of(row);
         out.columns.insert(out.columns.end(), columns.begin(), columns.end());
         out.offsets.push_back(static_cast<std::uint32_t>(out.columns.size()));
@@ -43,8 +41,14 @@ Result<LatticeEvaluator<Real>> LatticeEvaluator<Real>::make(const TriangleMesh& 
     for (int l = 1; l <= level; ++l) {
         auto step = next_level(before, options);
         if (!step) return tl::unexpected(step.error());
-        out.lists_.push_back(list_of<Real>(step->rows, options.weights, LatticeOrder(mesh.topology(), l),
-                                           SplitOrder(mesh.topology(), l)));
+        // The order of `split` in between, by address at the end.
+        const LatticeOrder order(mesh.topology(), l);
+        const SplitOrder split(mesh.topology(), l);
+        out.lists_.push_back(list_of<Real>(step->rows, options.weights, [&](std::size_t v) {
+            if (l < level) return v;
+            const auto address = order.address_of(static_cast<std::int64_t>(v));
+            return static_cast<std::size_t>(split.vertex(address));
+        }));
         before = std::move(step->child);
     }
     return out;

@@ -11,8 +11,8 @@ namespace loopcheck::core {
 
 /// Level L of a mesh whose positions change, with the bits of `refine`, on any number of threads.
 ///
-/// Up to level 2 most vertices lie on vertices and edges of the control mesh, and finding what is around them
-/// takes longer than the sums: it is written down in lists.  From level 3 on `LatticeRefiner` needs none.
+/// Up to level 3 most vertices lie on vertices and edges of the control mesh, and finding what is around them
+/// takes longer than the sums: it is written down in lists.  From level 4 on `LatticeRefiner` needs none.
 template <class Real>
 class LatticeEvaluator {
   public:
@@ -27,7 +27,7 @@ class LatticeEvaluator {
     void refine(std::span<const Point<Real>> control, std::span<Point<Real>> refined, int threads = 1) const;
 
   private:
-    static constexpr int kListLevels = 2;
+    static constexpr int kListLevels = 3;
 
     explicit LatticeEvaluator(LatticeRefiner refiner) : refiner_(std::move(refiner)) {}
 
