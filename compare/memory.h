@@ -23,7 +23,7 @@ inline constexpr double kWrittenBytesPerVertex = 150;
 inline constexpr double kWrittenStraightBytesPerVertex = 240;
 
 /// Memory of a control mesh with what refining straight to a level prepares, in bytes per face.
-inline constexpr double kControlBytesPerFace = 350;
+inline constexpr double kControlBytesPerFace = 250;
 
 /// Peak memory of a tessellation within a tolerance, of measuring and of writing it, in bytes per triangle.
 /// A test measures it.

@@ -57,6 +57,7 @@ TEST_P(LatticeLimitsOfEveryModel, HaveTheBitsOfLimits) {
             options.boundary = boundary;
             options.creasing = creasing;
             ASSERT_NO_FATAL_FAILURE(expect_limits_of_the_rows<double>(mesh, options, levels));
+            if (boundary != BoundaryRule::EdgeOnly) continue;
             options.weights = Weights::Warren;
             ASSERT_NO_FATAL_FAILURE(expect_limits_of_the_rows<float>(mesh, options, levels));
         }
