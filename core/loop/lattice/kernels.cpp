@@ -65,7 +65,7 @@ template <int kStride, class Real>
     for (Index i = 0; i < length; ++i, ++row, ++pattern, out += 2 * kStride) {
         if (i > 0) {
             const std::ptrdiff_t* ring = lattice.ring(*pattern & LatticePattern::kRing);
-            const auto neighbour = [&](int k) __attribute__((always_inline)) {
+            const auto neighbour = [&](int k) __attribute__((always_inline))->const PaddedPoint<Real>& {
                 return row[ring[k]];
             };
             store_quad<Real>(regular_vertex_point<Real>(a, neighbour), out - kStride);
@@ -125,7 +125,7 @@ template <class Real>
         if (i > 0) {
             const std::array<const PaddedPoint<Real>*, 6> ring{edge + i + 1, left + i,      left + i - 1,
                                                                edge + i - 1, right + i - 1, right + i};
-            const auto neighbour = [&](int k) __attribute__((always_inline)) {
+            const auto neighbour = [&](int k) __attribute__((always_inline))->const PaddedPoint<Real>& {
                 return *ring[k];
             };
             next[2 * i] = regular_vertex_point<Real>(edge[i], neighbour);
