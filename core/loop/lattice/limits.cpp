@@ -166,19 +166,19 @@ void LatticeLimits<Real>::evaluate(std::span<const Point<Real>> control, std::sp
         FacePatch<Real> patch(t, pattern_, level);
         const std::size_t row = kPacked * static_cast<std::size_t>(n) + 1;
         Outbox<Real> out(kPacked * positions.size(), row), out_normals(kPacked * normals.size(), row);
+        const auto begin = static_cast<std::size_t>(order().first_of_face(first));
+        out.begin(&positions[begin].x);
+        out_normals.begin(&normals[begin].x);
         for (Index f = first; f < last; ++f) {
             patch.run(control, f, points);
-            const auto begin = static_cast<std::size_t>(order().first_of_face(f));
-            out.begin(&positions[begin].x);
-            out_normals.begin(&normals[begin].x);
             for (Index j = 1; j + 1 < n; ++j) {
                 limits_of_row<Real>(patch.last(), pattern_, j, regular_, out.end(), out_normals.end());
                 out.advance(out.end() + kPacked * (n - j - 1));
                 out_normals.advance(out_normals.end() + kPacked * (n - j - 1));
             }
-            out.flush();
-            out_normals.flush();
         }
+        out.flush();
+        out_normals.flush();
     });
 }
 

@@ -79,14 +79,14 @@ void LatticeRefiner::refine(std::span<const Point<Real>> control, std::span<Poin
         Outbox<Real> out(
             kPacked * refined.size(),
             kPacked * 2 * static_cast<std::size_t>(n) * static_cast<std::size_t>(rows_at_once) + 1);
+        out.begin(&refined[static_cast<std::size_t>(order_.first_of_face(first))].x);
         for (Index f = first; f < last; ++f) {
             patch.run(control, f, points);
-            out.begin(&refined[static_cast<std::size_t>(order_.first_of_face(f))].x);
             for (Index j = 0; j < n / 2; j += rows_at_once)
                 out.advance(refine_rows<Real>(patch.last(), pattern_, j, std::min(n / 2, j + rows_at_once),
                                               out.end()));
-            out.flush();
         }
+        out.flush();
     });
 }
 

@@ -91,16 +91,16 @@ void LatticeRefiner::triangles(std::span<Triangle> faces, int threads) const {
     const std::int64_t per_face = std::int64_t{n} * n;
     for_ranges(topology().face_count(), grain(per_face / 2), threads, [&](Index first, Index last) {
         Outbox<Triangle> out(faces.size(), 2 * static_cast<std::size_t>(n));
+        out.begin(&faces[static_cast<std::size_t>(first * per_face)]);
         for (Index f = first; f < last; ++f) {
-            out.begin(&faces[static_cast<std::size_t>(f * per_face)]);
             FaceNumbers numbers(topology(), order_, f);
             for (RowNumbers row = numbers.first_row(); row.length > 0;) {
                 const RowNumbers above = numbers.next_row(row);
                 out.advance(triangles_between(row, above, out.end()));
                 row = above;
             }
-            out.flush();
         }
+        out.flush();
     });
 }
 
