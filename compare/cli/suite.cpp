@@ -92,7 +92,7 @@ Command add_suite(CLI::App& program) {
         "suite", "Compare ours with every peer, on every model under every boundary option");
     command->add_option("path", flags->paths, "folders of models, or model files")->capture_default_str();
     flags->work.add_to(*command);
-    command->add_option("--jobs", flags->jobs, "models refined at the same time")
+    command->add_option("--jobs", flags->jobs, "cases (a model under one boundary option) at the same time")
         ->capture_default_str()
         ->check(CLI::Range(1, 1024));
     command->add_flag("--no-limit", flags->no_limit, "compare refinements only, not limits");
