@@ -235,19 +235,23 @@ Subject in_place(std::string name, double bytes, int level, const ExpectedPtr<Re
 constexpr double kFaceBytes = 2 * sizeof(core::Triangle);  // a vertex has two faces
 
 template <class Real>
-Case total(int size, int level) {
+Case refinement(Task task, int size, int level) {
     const auto expected = std::make_shared<Expected<Real>>(level);
-    Case out{.task = "total",
+    const bool is_total = task == Task::Total;
+    Case out{.task = is_total ? "total" : "positions",
              .precision = kPrecisionOf<Real>,
              .mesh = bench::varied_sphere,
              .size = size,
              .level = level,
              .items = bench::sphere_vertices(size, level),
-             .written = 3 * sizeof(Real) + kFaceBytes,
+             .written = 3 * sizeof(Real) + (is_total ? kFaceBytes : 0),
              .subjects = {}};
-    for (const int threads : {1, 2})
-        out.subjects.push_back(ours_by<Real>(Task::Total, threads, level, expected));
-    out.subjects.push_back(far_by<Real>(Task::Total, level));
+    for (const int threads : {1, 2}) out.subjects.push_back(ours_by<Real>(task, threads, level, expected));
+    out.subjects.push_back(far_by<Real>(task, level));
+    if (!is_total) {
+        out.subjects.push_back(by_stencils<Real>(level, expected));
+        return out;
+    }
 #ifdef LOOPCHECK_HAS_OPENMESH
     using OpenMesh = reference::OpenmeshLastLevel<Real>;
     out.subjects.push_back(in_place<Real, OpenMesh>(
@@ -257,24 +261,6 @@ Case total(int size, int level) {
     out.subjects.push_back(in_place<Real, reference::CgalLastLevel<Real>>(
         "cgal", 300, level, expected, &reference::CgalLastLevel<Real>::make));
 #endif
-    return out;
-}
-
-template <class Real>
-Case positions(int size, int level) {
-    const auto expected = std::make_shared<Expected<Real>>(level);
-    Case out{.task = "positions",
-             .precision = kPrecisionOf<Real>,
-             .mesh = bench::varied_sphere,
-             .size = size,
-             .level = level,
-             .items = bench::sphere_vertices(size, level),
-             .written = 3 * sizeof(Real),
-             .subjects = {}};
-    for (const int threads : {1, 2})
-        out.subjects.push_back(ours_by<Real>(Task::Positions, threads, level, expected));
-    out.subjects.push_back(far_by<Real>(Task::Positions, level));
-    out.subjects.push_back(by_stencils<Real>(level, expected));
     return out;
 }
 
@@ -291,12 +277,11 @@ int main(int argc, char** argv) {
     program.add_peer("cgal", reference::cgal_version());
 #endif
     if (const auto code = program.parse(argc, argv)) return *code;
-    for (const auto& [size, level] : program.sizes_and_levels()) {
-        program.measure(total<double>(size, level));
-        program.measure(positions<double>(size, level));
-        if (program.extent() == bench::Extent::Quick) continue;
-        program.measure(total<float>(size, level));
-        program.measure(positions<float>(size, level));
-    }
+    for (const auto& [size, level] : program.sizes_and_levels())
+        for (const Task task : {Task::Total, Task::Positions}) {
+            program.measure(refinement<double>(task, size, level));
+            if (program.extent() != bench::Extent::Quick)
+                program.measure(refinement<float>(task, size, level));
+        }
     return program.finish();
 }

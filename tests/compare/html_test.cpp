@@ -131,6 +131,7 @@ std::string html_of(std::vector<std::string> arguments, int code = 0,
     return core::read_file(path).value_or("");
 }
 
+// A build where npm could not install the page (LOOPCHECK_HTML) has nothing to test here.
 class HtmlReport : public testing::Test {
   protected:
     void SetUp() override {
@@ -417,6 +418,7 @@ TEST_F(HtmlReport, IsRefusedWhereItCannotBe) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+// For builds with LOOPCHECK_HTML=OFF.
 TEST(HtmlWithoutAPage, SaysWhatIsMissing) {
     if (why_no_page().empty()) GTEST_SKIP() << "this build has the page";
     const auto outcome = loopcheck({"compare", model_path("tetrahedron"), "--html", "a.html"});

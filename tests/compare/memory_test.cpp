@@ -164,7 +164,7 @@ TEST(MemoryEstimate, CoversBlocksOfBits) {
 }
 
 TEST(MemoryEstimate, CoversAnHtmlReport) {
-    if (!why_no_page().empty()) GTEST_SKIP() << why_no_page();
+    if (!why_no_page().empty()) GTEST_SKIP() << why_no_page();  // a build without npm
     const auto mesh = model_mesh("cow");
     const std::array pair{&subject("ours"), &subject("opensubdiv")};
     const std::string html = testing::TempDir() + "memory.html";

@@ -12,6 +12,7 @@ namespace loopcheck::tests {
 class TemporaryFolder {
   public:
     TemporaryFolder() {
+        // mkdtemp puts six characters in the place of the X.
         std::string name = (std::filesystem::temp_directory_path() / "loopcheck-test-XXXXXX").string();
         if (!::mkdtemp(name.data())) throw std::runtime_error("There is no temporary folder.");
         path_ = name;

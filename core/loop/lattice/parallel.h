@@ -20,9 +20,8 @@ inline Index grain(std::int64_t vertices_each) {
                               std::clamp<std::int64_t>(vertices_each, 1, kVerticesPerTask));
 }
 
-/// Calls `work(first, last)` for ranges that together are 0 to `count` - 1, of at least `grain` each but for
-/// the last, on at most `threads` threads, nor more than the
-/// machine has.
+/// Calls `work(first, last)` for ranges that together are 0 to `count` - 1, of about `grain` each or more, on
+/// at most `threads` threads, nor on more than the machine has.
 template <class Work>
 void for_ranges(Index count, Index grain, int threads, const Work& work) {
     if (threads <= 1 || count <= grain) {

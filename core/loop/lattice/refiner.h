@@ -54,8 +54,8 @@ class LatticeRefiner {
         Index first = 0, last = 0;  ///< without `last`
     };
 
-    /// The same, face after face, in memory of order 4^L whatever the number of faces, beside four bytes an
-    /// edge of the control mesh.  Several threads may visit ranges of their own.
+    /// The same, face after face, in memory of order 4^L whatever the number of faces, beside 8 bytes an
+    /// edge and 4 a vertex of the control mesh.  Several threads may visit ranges of their own.
     template <class Real>
     void refine_by_face(std::span<const Point<Real>> control, FaceRange faces,
                         const FaceVisitor<Real>& visit) const;
